@@ -1,0 +1,161 @@
+#ifndef coapt_coupled_coupled_system_h
+#define coapt_coupled_coupled_system_h
+
+#include <coapt/coupled/replicated_nodes.h>
+#include <coapt/coupled/state_layout.h>
+#include <coapt/fluid/fluid_grid.h>
+#include <coapt/fluid/fluid_operator.h>
+#include <coapt/immersion/coupling_points.h>
+#include <coapt/solid/solid_operator.h>
+
+#include <functional>
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * The physics: y' = f(t, y) for fluid, solid and the multiplier that couples
+   * them, and what happens between two steps.
+   *
+   * Between steps the contact impulse acts on the solid velocity, and the
+   * coupling points find their new cells and weights, which stay frozen over
+   * the stages of the next step.
+   */
+  template <int dim>
+  class CoupledSystem
+  {
+  public:
+    /** Force on the solid's nodes besides its own: F += f(t, X, V), N. Each
+     * rank adds its share. */
+    using SolidLoad = std::function<
+      void(double t, const double *X, const double *V, double *F)>;
+
+    /** Change of the solid velocity after a step of length dt, the same on
+     * all ranks: contact. */
+    using SolidImpulse =
+      std::function<void(const double *X, double *V, double dt)>;
+
+    /**
+     * @p pinned nodes are held; @p densities of solid and fluid are taken from
+     * the operators' parameters by the caller.
+     */
+    CoupledSystem(FluidOperator<dim> &fluid,
+                  const SolidOperator<dim> &solid,
+                  CouplingPoints<dim> &points,
+                  const std::vector<bool> &pinned,
+                  const ImmersionParameters &parameters,
+                  const double solid_density,
+                  const double fluid_density,
+                  MPI_Comm communicator);
+
+    /** Adds a load on the solid. */
+    void add_load(const SolidLoad &load);
+
+    /** Sets what acts on the solid velocity after each step. */
+    void set_impulse(const SolidImpulse &impulse);
+
+    /**
+     * State at rest: zero velocity and pressure, the solid at its reference
+     * @p points. Distributes the coupling points.
+     */
+    std::vector<double>
+    state_at_rest(const std::vector<dealii::Point<dim>> &points);
+
+    /**
+     * Adapts the octree to @p wanted_level and moves the state to the new one,
+     * coupling points included. Returns whether anything changed.
+     */
+    bool adapt(FluidGrid<dim> &grid,
+               const typename FluidGrid<dim>::WantedLevel &wanted_level,
+               std::vector<double> &y);
+
+    /** Gives the coupling points to the ranks whose cells they lie in and
+     * changes the length of @p y accordingly. */
+    void redistribute_points(std::vector<double> &y);
+
+    /** Sets the length of the step that follows (s) and with it the
+     * coefficients of the relaxed multiplier. */
+    void begin_step(const double dt);
+
+    /** y' = f(t, y). Collective. */
+    void rhs(const double t, const double *y, double *y_dot);
+
+    /** Acts on the completed state: contact, then new coupling weights. */
+    void finish_step(const double t, double *y);
+
+    /** Whether a coupling point of any rank has left the cells known to its
+     * rank, so that redistribute_points() is due. */
+    bool points_have_left() const
+    {
+      return points_left;
+    }
+
+    /** Where the blocks of y lie. */
+    const StateLayout<dim> &layout() const
+    {
+      return state_layout;
+    }
+
+    /** Coefficients in force since begin_step(). */
+    const RelaxationCoefficients &relaxation() const
+    {
+      return coefficients;
+    }
+
+    /** Relaxation time in force (s). */
+    double relaxation_time() const
+    {
+      return tau;
+    }
+
+    /**
+     * Time integral of the coupling force on each solid node since the last
+     * call (N s), weighted over the stages as the integrator weights them;
+     * all nodes, summed over the ranks. Resets it. Collective.
+     */
+    std::vector<double> take_coupling_impulse();
+
+    /** Positions and velocities of all solid nodes in the state @p y.
+     * Collective. @{ */
+    std::vector<double> solid_positions(const double *y) const;
+
+    std::vector<double> solid_velocities(const double *y) const;
+    /** @} */
+
+    /** Fluid velocity on all local nodes, hanging ones included. */
+    std::vector<double> local_velocity(const double *y) const;
+
+    /** Power of the loads in the state @p y: sum of F.V over nodes (W). */
+    double load_power(const double t, const double *y) const;
+
+  private:
+    void update_layout();
+
+    void accumulate_coupling_impulse();
+
+    FluidOperator<dim> &fluid;
+    const SolidOperator<dim> &solid;
+    CouplingPoints<dim> &points;
+    std::vector<bool> pinned;
+    ImmersionParameters parameters;
+    double solid_density;
+    double fluid_density;
+    MPI_Comm communicator;
+
+    ReplicatedNodes nodes;
+    StateLayout<dim> state_layout;
+    std::vector<SolidLoad> loads;
+    SolidImpulse impulse;
+    RelaxationCoefficients coefficients;
+    double tau         = 0;
+    double step_length = 0;
+    unsigned int stage = 0;
+    bool points_left   = false;
+
+    // Work arrays: the solid replicated, the fluid with its ghosts.
+    std::vector<double> X, V, solid_force, coupling_force, coupling_impulse;
+    std::vector<double> fluid_velocity, fluid_force;
+  };
+} // namespace coapt
+
+#endif

@@ -1,0 +1,151 @@
+#ifndef coapt_immersion_coupling_points_h
+#define coapt_immersion_coupling_points_h
+
+#include <coapt/fluid/fluid_operator.h>
+#include <coapt/geometry/coupling_lattice.h>
+#include <coapt/geometry/simplex_mesh.h>
+#include <coapt/immersion/immersion_parameters.h>
+
+#include <mpi.h>
+
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * The points that carry the coupling between fluid and solid: the
+   * distributed-Lagrange-multiplier form of the immersed finite-element
+   * method (Glowinski et al. 1999; Boffi and Gastaldi 2003; Heltai and
+   * Costanzo 2012), with the multiplier relaxed in time so that it can be
+   * stepped explicitly.
+   *
+   * A point belongs to the rank that owns the fluid cell it lies in, so that
+   * interpolation needs no communication beyond the fluid's own ghost
+   * exchange. It may wander through the ghost layer before its rank changes.
+   * Interpolation weights are computed once a step by update() and frozen over
+   * the stages.
+   */
+  template <int dim>
+  class CouplingPoints
+  {
+  public:
+    /** @p points of all ranks, the same list on each of them. */
+    CouplingPoints(const SimplexMesh<dim> &mesh,
+                   const std::vector<SamplePoint<dim>> &points,
+                   MPI_Comm communicator);
+
+    /**
+     * Gives every point to the rank that owns its fluid cell and moves the
+     * multipliers with it. @p multiplier, dim values for each point of this
+     * rank (N/m^3), is replaced; it may be empty at first, which means zero.
+     * Collective.
+     */
+    void distribute(const FluidOperator<dim> &fluid,
+                    const double *X,
+                    std::vector<double> &multiplier);
+
+    /**
+     * Recomputes cells and weights for the nodal positions @p X (m) and sets
+     * the multiplier of points without a free fluid node to zero. Weights of
+     * fully constrained fluid nodes are zeroed and the others rescaled to sum
+     * one; without this, the multiplier integrates against nodes that cannot
+     * follow, and a leaflet that slides along a wall is glued to it.
+     *
+     * Returns whether all points of this rank lie in cells known to it; if
+     * not on some rank, distribute() is due.
+     */
+    bool update(const FluidOperator<dim> &fluid,
+                const double *X,
+                double *multiplier);
+
+    /**
+     * Adds the coupling force to the fluid and its reaction to the solid:
+     * f = lambda + beta (v - J u) per volume at each point, spread by the
+     * adjoint of the interpolation on both sides, so that momentum and power
+     * are conserved to round-off. Writes lambda' = k (v - J u).
+     *
+     * @p fluid_velocity and @p fluid_force are node triples on the local nodes
+     * of the fluid, @p V (m/s) and @p solid_force (N) on all solid nodes.
+     */
+    void add_forces(const RelaxationCoefficients &coefficients,
+                    const double *fluid_velocity,
+                    const double *V,
+                    const double *multiplier,
+                    double *fluid_force,
+                    double *solid_force,
+                    double *multiplier_rate) const;
+
+    /** Energy stored in the multiplier, sum w lambda^2 / (2 k), and power
+     * dissipated by the drag, sum w beta |v - J u|^2. J and W, all ranks. */
+    struct EnergyAndPower
+    {
+      double energy      = 0;
+      double dissipation = 0;
+      double slip_rms    = 0; // root of the mean of |v - J u|^2, m/s
+    };
+    EnergyAndPower energy_and_power(const RelaxationCoefficients &coefficients,
+                                    const double *fluid_velocity,
+                                    const double *V,
+                                    const double *multiplier) const;
+
+    /** Volume of solid in each fluid cell that this rank owns (m^3). */
+    std::vector<double> solid_volume(const FluidOperator<dim> &fluid) const;
+
+    /**
+     * Largest ratio of coupled solid mass to the mass of a fluid node, over
+     * all ranks (-). Above about two the explicit step may be unstable.
+     */
+    double largest_mass_ratio(const FluidOperator<dim> &fluid,
+                              const double solid_density) const;
+
+    /** Number of points of this rank. */
+    unsigned int n_owned() const
+    {
+      return ids.size();
+    }
+
+    /** Number of points of all ranks. */
+    unsigned int n_points() const
+    {
+      return points.size();
+    }
+
+    /** Positions of all points for nodal positions @p X (m). */
+    std::vector<dealii::Point<dim>> positions(const double *X) const;
+
+  private:
+    static constexpr unsigned int n_fluid = 1u << dim;
+    static constexpr unsigned int n_solid = dim + 1;
+
+    /** What add_forces() needs of a point, together in memory. */
+    struct Stencil
+    {
+      std::array<double, n_fluid> fluid_weights; // zero if inactive
+      std::array<unsigned int, n_fluid> fluid_nodes;
+      std::array<double, n_solid> solid_weights;
+      std::array<unsigned int, n_solid> solid_nodes;
+      double volume;
+      int cell;
+      bool active;
+    };
+
+    std::array<double, dim>
+    slip(const Stencil &s, const double *fluid_velocity, const double *V) const;
+
+    bool
+    place(Stencil &stencil, const FluidOperator<dim> &fluid, const double *X);
+
+    dealii::Point<dim> position(const Stencil &stencil, const double *X) const;
+
+    Stencil unplaced_stencil(const unsigned int id) const;
+
+    const SimplexMesh<dim> &mesh;
+    std::vector<SamplePoint<dim>> points;
+    MPI_Comm communicator;
+
+    std::vector<unsigned int> ids;
+    std::vector<Stencil> stencils;
+  };
+} // namespace coapt
+
+#endif

@@ -1,0 +1,59 @@
+#ifndef coapt_immersion_immersion_parameters_h
+#define coapt_immersion_immersion_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace coapt
+{
+  /** Parameters of the immersed coupling (subsection "Coupling"). */
+  struct ImmersionParameters
+  {
+    /** Largest distance between coupling points over the fluid cell size. */
+    double spacing = 0.75;
+
+    /** In-plane stretch of the leaflet that the spacing allows for. */
+    double expected_stretch = 1.35;
+
+    /** Least number of layers of coupling points through the thickness. */
+    unsigned int min_layers = 2;
+
+    /** Relaxation time of the multiplier over the time step. */
+    double relaxation_steps = 2.;
+
+    /** Largest relaxation time (s); bounds the leak, which grows with its
+     * square, and with it the time step. */
+    double max_relaxation_time = 12e-6;
+
+    /** Damping ratio zeta of the relaxed constraint. */
+    double damping_ratio = 0.5;
+
+    /** Declares the parameters. */
+    static void declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Reads them. */
+    void parse_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /**
+   * Coefficients of the relaxed multiplier: lambda' = k (v - J u),
+   * f = lambda + beta (v - J u).
+   */
+  struct RelaxationCoefficients
+  {
+    double stiffness = 0; // k, Pa/m^2
+    double drag      = 0; // beta, Pa s/m^2
+  };
+
+  /**
+   * k = rho* / tau^2 and beta = 2 zeta rho* / tau with the harmonic mean
+   * rho* = 2 rho_s rho_f / (rho_s + rho_f), so that the constraint behaves as
+   * an oscillator of damping ratio zeta and period of the order of tau.
+   * Densities in kg/m^3, @p tau in s.
+   */
+  RelaxationCoefficients relaxation_coefficients(const double solid_density,
+                                                 const double fluid_density,
+                                                 const double tau,
+                                                 const double damping_ratio);
+} // namespace coapt
+
+#endif

@@ -1,0 +1,287 @@
+#include <deal.II/base/mpi.h>
+
+#include <coapt/coupled/coupled_system.h>
+
+#include <algorithm>
+
+namespace coapt
+{
+  using dealii::Point;
+
+  template <int dim>
+  CoupledSystem<dim>::CoupledSystem(FluidOperator<dim> &fluid,
+                                    const SolidOperator<dim> &solid,
+                                    CouplingPoints<dim> &points,
+                                    const std::vector<bool> &pinned,
+                                    const ImmersionParameters &parameters,
+                                    const double solid_density,
+                                    const double fluid_density,
+                                    MPI_Comm communicator)
+    : fluid(fluid)
+    , solid(solid)
+    , points(points)
+    , pinned(pinned)
+    , parameters(parameters)
+    , solid_density(solid_density)
+    , fluid_density(fluid_density)
+    , communicator(communicator)
+    , nodes(solid.n_nodes(), dim, communicator)
+    , X(dim * solid.n_nodes())
+    , V(dim * solid.n_nodes())
+    , solid_force(dim * solid.n_nodes())
+    , coupling_force(dim * solid.n_nodes())
+    , coupling_impulse(dim * solid.n_nodes(), 0.)
+  {
+  }
+
+
+
+  template <int dim>
+  void CoupledSystem<dim>::add_load(const SolidLoad &load)
+  {
+    loads.push_back(load);
+  }
+
+
+
+  template <int dim>
+  void CoupledSystem<dim>::set_impulse(const SolidImpulse &impulse)
+  {
+    this->impulse = impulse;
+  }
+
+
+
+  template <int dim>
+  void CoupledSystem<dim>::rhs(const double t, const double *y, double *y_dot)
+  {
+    const StateLayout<dim> &at = state_layout;
+
+    // What the terms below read: the whole solid, the fluid with its ghosts.
+    nodes.gather(y + at.position(), X.data());
+    nodes.gather(y + at.solid_velocity(), V.data());
+    fluid.gather(y + at.velocity(), fluid_velocity.data());
+
+    // M_u u' and p' of the fluid alone
+    std::fill(fluid_force.begin(), fluid_force.end(), 0.);
+    fluid.add_forces(t,
+                     fluid_velocity.data(),
+                     y + at.pressure(),
+                     fluid_force.data(),
+                     y_dot + at.pressure());
+
+    // lambda', and the force f that couples fluid and solid
+    std::fill(coupling_force.begin(), coupling_force.end(), 0.);
+    points.add_forces(coefficients,
+                      fluid_velocity.data(),
+                      V.data(),
+                      y + at.multiplier(),
+                      fluid_force.data(),
+                      coupling_force.data(),
+                      y_dot + at.multiplier());
+    accumulate_coupling_impulse();
+
+    // M_s V' : internal forces, chordae, coupling
+    solid_force = coupling_force;
+    solid.add_forces(X.data(), V.data(), solid_force.data());
+    for (const SolidLoad &load : loads)
+      load(t, X.data(), V.data(), solid_force.data());
+    nodes.sum(solid_force.data());
+
+    // divide by the lumped masses
+    fluid.finish(fluid_force.data(), y_dot + at.velocity());
+    const unsigned int begin = nodes.begin();
+    for (unsigned int n = 0; n < nodes.n_owned(); ++n)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const unsigned int i               = dim * (begin + n) + d;
+          y_dot[at.position() + dim * n + d] = pinned[begin + n] ? 0. : V[i];
+          y_dot[at.solid_velocity() + dim * n + d] =
+            pinned[begin + n] ? 0. : solid_force[i] / solid.mass()[begin + n];
+        }
+  }
+
+
+
+  template <int dim>
+  void CoupledSystem<dim>::finish_step(const double, double *y)
+  {
+    // ERKStep evaluates the first stage of the next step right after this.
+    stage = 0;
+
+    const StateLayout<dim> &at = state_layout;
+    nodes.gather(y + at.position(), X.data());
+    if (impulse)
+      {
+        nodes.gather(y + at.solid_velocity(), V.data());
+        impulse(X.data(), V.data(), step_length);
+        std::copy_n(V.data() + dim * nodes.begin(),
+                    dim * nodes.n_owned(),
+                    y + at.solid_velocity());
+      }
+    const bool found = points.update(fluid, X.data(), y + at.multiplier());
+    points_left = dealii::Utilities::MPI::max(found ? 0 : 1, communicator) == 1;
+  }
+
+
+
+  template <int dim>
+  void CoupledSystem<dim>::begin_step(const double dt)
+  {
+    step_length  = dt;
+    tau          = parameters.relaxation_steps * dt;
+    coefficients = relaxation_coefficients(solid_density,
+                                           fluid_density,
+                                           tau,
+                                           parameters.damping_ratio);
+  }
+
+
+
+  template <int dim>
+  void CoupledSystem<dim>::accumulate_coupling_impulse()
+  {
+    // Of the five stages of KG5(3), the first and the last enter the step.
+    const double weight = stage == 0 ? 0.25 : (stage == 4 ? 0.75 : 0.);
+    ++stage;
+    if (weight > 0)
+      for (unsigned int i = 0; i < coupling_force.size(); ++i)
+        coupling_impulse[i] += weight * step_length * coupling_force[i];
+  }
+
+
+
+  template <int dim>
+  std::vector<double> CoupledSystem<dim>::take_coupling_impulse()
+  {
+    std::vector<double> result = coupling_impulse;
+    nodes.sum(result.data());
+    std::fill(coupling_impulse.begin(), coupling_impulse.end(), 0.);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void CoupledSystem<dim>::update_layout()
+  {
+    state_layout.n_fluid_nodes = fluid.n_owned_nodes();
+    state_layout.n_fluid_cells = fluid.n_owned_cells();
+    state_layout.n_solid_nodes = nodes.n_owned();
+    state_layout.n_points      = points.n_owned();
+    fluid_velocity.resize(dim * fluid.n_local_nodes());
+    fluid_force.resize(dim * fluid.n_local_nodes());
+    stage = 0;
+  }
+
+
+
+  template <int dim>
+  std::vector<double> CoupledSystem<dim>::state_at_rest(
+    const std::vector<Point<dim>> &reference_points)
+  {
+    for (unsigned int n = 0; n < reference_points.size(); ++n)
+      for (unsigned int d = 0; d < dim; ++d)
+        X[dim * n + d] = reference_points[n][d];
+    std::vector<double> multiplier;
+    points.distribute(fluid, X.data(), multiplier);
+    update_layout();
+
+    std::vector<double> y(state_layout.size(), 0.);
+    std::copy_n(X.data() + dim * nodes.begin(),
+                dim * nodes.n_owned(),
+                y.data() + state_layout.position());
+    return y;
+  }
+
+
+
+  template <int dim>
+  void CoupledSystem<dim>::redistribute_points(std::vector<double> &y)
+  {
+    const std::vector<double> positions = solid_positions(y.data());
+    std::vector<double> multiplier(y.begin() + state_layout.multiplier(),
+                                   y.end());
+    points.distribute(fluid, positions.data(), multiplier);
+    y.resize(state_layout.multiplier());
+    y.insert(y.end(), multiplier.begin(), multiplier.end());
+    update_layout();
+    points_left = false;
+  }
+
+
+
+  template <int dim>
+  bool CoupledSystem<dim>::adapt(
+    FluidGrid<dim> &grid,
+    const typename FluidGrid<dim>::WantedLevel &wanted_level,
+    std::vector<double> &y)
+  {
+    const auto at = state_layout;
+    std::vector<double> velocity(y.begin(), y.begin() + at.pressure());
+    std::vector<double> pressure(y.begin() + at.pressure(),
+                                 y.begin() + at.position());
+    if (!grid.adapt(wanted_level, fluid, velocity, pressure))
+      return false;
+
+    const std::vector<double> rest(y.begin() + at.position(), y.end());
+    y = velocity;
+    y.insert(y.end(), pressure.begin(), pressure.end());
+    y.insert(y.end(), rest.begin(), rest.end());
+    update_layout();
+    redistribute_points(y);
+    return true;
+  }
+
+
+
+  template <int dim>
+  std::vector<double> CoupledSystem<dim>::solid_positions(const double *y) const
+  {
+    std::vector<double> result(X.size());
+    nodes.gather(y + state_layout.position(), result.data());
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  CoupledSystem<dim>::solid_velocities(const double *y) const
+  {
+    std::vector<double> result(V.size());
+    nodes.gather(y + state_layout.solid_velocity(), result.data());
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<double> CoupledSystem<dim>::local_velocity(const double *y) const
+  {
+    std::vector<double> result(dim * fluid.n_local_nodes());
+    fluid.gather(y + state_layout.velocity(), result.data());
+    return result;
+  }
+
+
+
+  template <int dim>
+  double CoupledSystem<dim>::load_power(const double t, const double *y) const
+  {
+    const std::vector<double> X_all = solid_positions(y);
+    const std::vector<double> V_all = solid_velocities(y);
+    std::vector<double> F(X_all.size(), 0.);
+    for (const SolidLoad &load : loads)
+      load(t, X_all.data(), V_all.data(), F.data());
+    double power = 0;
+    for (unsigned int i = 0; i < F.size(); ++i)
+      power += F[i] * V_all[i];
+    return dealii::Utilities::MPI::sum(power, communicator);
+  }
+
+
+
+  template class CoupledSystem<2>;
+  template class CoupledSystem<3>;
+} // namespace coapt

@@ -1,0 +1,159 @@
+#include <arkode/arkode_erkstep.h>
+#include <coapt/base/exceptions.h>
+#include <coapt/time/explicit_integrator.h>
+
+#include <string>
+
+namespace coapt
+{
+  namespace
+  {
+    void check_flag(const int flag, const std::string &call)
+    {
+      if (flag < 0)
+        throw NumericalError("SUNDIALS: " + call + " failed with code " +
+                             std::to_string(flag));
+    }
+
+
+
+    /** Kinnmark and Gray (1984), five stages, third order. */
+    ARKodeButcherTable kinnmark_gray_table()
+    {
+      double A[25] = {};
+      A[5 * 1 + 0] = 1. / 5;
+      A[5 * 2 + 1] = 1. / 5;
+      A[5 * 3 + 2] = 1. / 3;
+      A[5 * 4 + 3] = 2. / 3;
+      double c[5]  = {0, 1. / 5, 1. / 5, 1. / 3, 2. / 3};
+      double b[5]  = {1. / 4, 0, 0, 0, 3. / 4};
+      return ARKodeButcherTable_Create(5, 3, 0, c, A, b, nullptr);
+    }
+  } // namespace
+
+
+
+  ExplicitIntegrator::ExplicitIntegrator(MPI_Comm communicator,
+                                         const RightHandSide &right_hand_side,
+                                         const PostStep &post_step)
+    : communicator(communicator)
+    , right_hand_side(right_hand_side)
+    , post_step(post_step)
+  {
+    check_flag(SUNContext_Create(&this->communicator, &context),
+               "SUNContext_Create");
+  }
+
+
+
+  ExplicitIntegrator::~ExplicitIntegrator()
+  {
+    release();
+    SUNContext_Free(&context);
+  }
+
+
+
+  void ExplicitIntegrator::release()
+  {
+    if (memory)
+      ERKStepFree(&memory);
+    if (vector)
+      N_VDestroy(vector);
+    memory = nullptr;
+    vector = nullptr;
+  }
+
+
+
+  void ExplicitIntegrator::start(const double t, std::vector<double> &y)
+  {
+    release();
+    long int local               = y.size();
+    long long int total          = 0;
+    const long long int local_ll = local;
+    MPI_Allreduce(
+      &local_ll, &total, 1, MPI_LONG_LONG_INT, MPI_SUM, communicator);
+    vector = N_VMake_Parallel(communicator, local, total, y.data(), context);
+    check_flag(N_VEnableFusedOps_Parallel(vector, SUNTRUE),
+               "N_VEnableFusedOps_Parallel");
+    memory = ERKStepCreate(&ExplicitIntegrator::evaluate, t, vector, context);
+    check_flag(memory ? 0 : -1, "ERKStepCreate");
+
+    const ARKodeButcherTable table = kinnmark_gray_table();
+    check_flag(ERKStepSetTable(memory, table), "ERKStepSetTable");
+    ARKodeButcherTable_Free(table);
+    check_flag(ERKStepSetUserData(memory, this), "ERKStepSetUserData");
+    check_flag(ERKStepSStolerances(memory, 1e-3, 1.), "ERKStepSStolerances");
+    check_flag(ERKStepSetPostprocessStepFn(memory,
+                                           &ExplicitIntegrator::post_process),
+               "ERKStepSetPostprocessStepFn");
+    // The default interpolant costs an evaluation; nothing is interpolated.
+    check_flag(ERKStepSetInterpolantType(memory, ARK_INTERP_LAGRANGE),
+               "ERKStepSetInterpolantType");
+    check_flag(ERKStepSetInterpolantDegree(memory, 0),
+               "ERKStepSetInterpolantDegree");
+    current_time = t;
+  }
+
+
+
+  void ExplicitIntegrator::step(const double dt)
+  {
+    check_flag(ERKStepSetFixedStep(memory, dt), "ERKStepSetFixedStep");
+    realtype reached = current_time;
+    const int flag =
+      ERKStepEvolve(memory, current_time + dt, vector, &reached, ARK_ONE_STEP);
+    if (error)
+      {
+        const std::exception_ptr pending = error;
+        error                            = nullptr;
+        std::rethrow_exception(pending);
+      }
+    check_flag(flag, "ERKStepEvolve");
+    if (!(reached > current_time))
+      throw NumericalError("SUNDIALS made no progress at t = " +
+                           std::to_string(current_time) + " s");
+    current_time = reached;
+    ++steps;
+  }
+
+
+
+  int ExplicitIntegrator::evaluate(realtype t,
+                                   N_Vector y,
+                                   N_Vector y_dot,
+                                   void *self)
+  {
+    ExplicitIntegrator &integrator = *static_cast<ExplicitIntegrator *>(self);
+    ++integrator.evaluations;
+    try
+      {
+        integrator.right_hand_side(t, NV_DATA_P(y), NV_DATA_P(y_dot));
+      }
+    catch (...)
+      {
+        // No exception may pass through the C library.
+        integrator.error = std::current_exception();
+        return -1;
+      }
+    return 0;
+  }
+
+
+
+  int ExplicitIntegrator::post_process(realtype t, N_Vector y, void *self)
+  {
+    ExplicitIntegrator &integrator = *static_cast<ExplicitIntegrator *>(self);
+    try
+      {
+        integrator.post_step(t, NV_DATA_P(y));
+      }
+    catch (...)
+      {
+        integrator.error = std::current_exception();
+        return -1;
+      }
+    return 0;
+  }
+} // namespace coapt
