@@ -41,7 +41,7 @@ namespace coapt
     const double e11 = e1 * e1, e12 = e1 * e2, e22 = e2 * e2;
     const double d1 = d * e1, d2 = d * e2;
     const double det      = e11 * e22 - e12 * e12;
-    const bool degenerate = det <= 1e-24 * e11 * e22;
+    const bool degenerate = det <= 1e-14 * e11 * e22;
 
     if (!degenerate)
       {
