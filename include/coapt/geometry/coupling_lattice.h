@@ -1,0 +1,56 @@
+#ifndef coapt_geometry_coupling_lattice_h
+#define coapt_geometry_coupling_lattice_h
+
+#include <coapt/geometry/leaflet.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <array>
+#include <vector>
+
+namespace coapt
+{
+  /** A material point of a solid, with the volume that it stands for. */
+  template <int dim>
+  struct SamplePoint
+  {
+    /** Cell of the mesh, and barycentric coordinates (in [0,1], of sum one)
+     * in the order of its nodes. */
+    unsigned int cell = 0;
+    std::array<double, dim + 1> barycentric{};
+
+    /** Reference volume (m^3; m^2 in 2D). */
+    double volume = 0;
+
+    /** Surface quadrilateral of a leaflet; invalid for other meshes. */
+    unsigned int quad = dealii::numbers::invalid_unsigned_int;
+
+    /** Place in the thickness of a leaflet: 0 atrial, 1 ventricular. */
+    double depth = 0.5;
+  };
+
+  /**
+   * A lattice of points that fills a leaflet: in each surface quadrilateral m
+   * by n points, centred in equal parts of it, no further apart than
+   * @p spacing / @p stretch in the reference and so than @p spacing (m) under
+   * an in-plane stretch up to @p stretch; times
+   * max(@p min_layers, ceil(thickness / spacing)) layers. The volumes add up
+   * to that of the mesh, quadrilateral by quadrilateral. Points are ordered by
+   * quadrilateral.
+   */
+  std::vector<SamplePoint<3>> leaflet_lattice(const Leaflet &leaflet,
+                                              double spacing,
+                                              double stretch          = 1.35,
+                                              unsigned int min_layers = 2);
+
+  /**
+   * Points that fill any mesh: each simplex is cut into n^dim parts of equal
+   * volume (n such that its longest edge / n <= @p spacing) as Freudenthal
+   * (1942) cuts a cube, with a point at the centroid of each.
+   */
+  template <int dim>
+  std::vector<SamplePoint<dim>> simplex_lattice(const SimplexMesh<dim> &mesh,
+                                                double spacing);
+} // namespace coapt
+
+#endif
