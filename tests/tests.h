@@ -30,9 +30,9 @@ check(const std::string &what, const bool condition, const double value = 0)
 /** Checks |value - expected| <= tolerance * max(1e-300, |expected|). */
 inline void
 check_relative(const std::string &what,
-               const double       value,
-               const double       expected,
-               const double       tolerance)
+               const double value,
+               const double expected,
+               const double tolerance)
 {
   check(what,
         std::abs(value - expected) <= tolerance * std::abs(expected),

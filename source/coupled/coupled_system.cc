@@ -37,7 +37,8 @@ namespace coapt
 
 
   template <int dim>
-  void CoupledSystem<dim>::add_load(const SolidLoad &load)
+  void
+  CoupledSystem<dim>::add_load(const SolidLoad &load)
   {
     loads.push_back(load);
   }
@@ -45,7 +46,8 @@ namespace coapt
 
 
   template <int dim>
-  void CoupledSystem<dim>::set_impulse(const SolidImpulse &impulse)
+  void
+  CoupledSystem<dim>::set_impulse(const SolidImpulse &impulse)
   {
     this->impulse = impulse;
   }
@@ -53,7 +55,8 @@ namespace coapt
 
 
   template <int dim>
-  void CoupledSystem<dim>::rhs(const double t, const double *y, double *y_dot)
+  void
+  CoupledSystem<dim>::rhs(const double t, const double *y, double *y_dot)
   {
     const StateLayout<dim> &at = state_layout;
 
@@ -104,7 +107,8 @@ namespace coapt
 
 
   template <int dim>
-  void CoupledSystem<dim>::finish_step(const double, double *y)
+  void
+  CoupledSystem<dim>::finish_step(const double, double *y)
   {
     // ERKStep evaluates the first stage of the next step right after this.
     stage = 0;
@@ -126,7 +130,8 @@ namespace coapt
 
 
   template <int dim>
-  void CoupledSystem<dim>::begin_step(const double dt)
+  void
+  CoupledSystem<dim>::begin_step(const double dt)
   {
     step_length  = dt;
     tau          = parameters.relaxation_steps * dt;
@@ -139,7 +144,8 @@ namespace coapt
 
 
   template <int dim>
-  void CoupledSystem<dim>::accumulate_coupling_impulse()
+  void
+  CoupledSystem<dim>::accumulate_coupling_impulse()
   {
     // Of the five stages of KG5(3), the first and the last enter the step.
     const double weight = stage == 0 ? 0.25 : (stage == 4 ? 0.75 : 0.);
@@ -152,7 +158,8 @@ namespace coapt
 
 
   template <int dim>
-  std::vector<double> CoupledSystem<dim>::take_coupling_impulse()
+  std::vector<double>
+  CoupledSystem<dim>::take_coupling_impulse()
   {
     std::vector<double> result = coupling_impulse;
     nodes.sum(result.data());
@@ -163,7 +170,8 @@ namespace coapt
 
 
   template <int dim>
-  void CoupledSystem<dim>::update_layout()
+  void
+  CoupledSystem<dim>::update_layout()
   {
     state_layout.n_fluid_nodes = fluid.n_owned_nodes();
     state_layout.n_fluid_cells = fluid.n_owned_cells();
@@ -177,7 +185,8 @@ namespace coapt
 
 
   template <int dim>
-  std::vector<double> CoupledSystem<dim>::state_at_rest(
+  std::vector<double>
+  CoupledSystem<dim>::state_at_rest(
     const std::vector<Point<dim>> &reference_points)
   {
     for (unsigned int n = 0; n < reference_points.size(); ++n)
@@ -197,7 +206,8 @@ namespace coapt
 
 
   template <int dim>
-  void CoupledSystem<dim>::redistribute_points(std::vector<double> &y)
+  void
+  CoupledSystem<dim>::redistribute_points(std::vector<double> &y)
   {
     const std::vector<double> positions = solid_positions(y.data());
     std::vector<double> multiplier(y.begin() + state_layout.multiplier(),
@@ -212,7 +222,8 @@ namespace coapt
 
 
   template <int dim>
-  bool CoupledSystem<dim>::adapt(
+  bool
+  CoupledSystem<dim>::adapt(
     FluidGrid<dim> &grid,
     const typename FluidGrid<dim>::WantedLevel &wanted_level,
     std::vector<double> &y)
@@ -236,7 +247,8 @@ namespace coapt
 
 
   template <int dim>
-  std::vector<double> CoupledSystem<dim>::solid_positions(const double *y) const
+  std::vector<double>
+  CoupledSystem<dim>::solid_positions(const double *y) const
   {
     std::vector<double> result(X.size());
     nodes.gather(y + state_layout.position(), result.data());
@@ -257,7 +269,8 @@ namespace coapt
 
 
   template <int dim>
-  std::vector<double> CoupledSystem<dim>::local_velocity(const double *y) const
+  std::vector<double>
+  CoupledSystem<dim>::local_velocity(const double *y) const
   {
     std::vector<double> result(dim * fluid.n_local_nodes());
     fluid.gather(y + state_layout.velocity(), result.data());
@@ -267,7 +280,8 @@ namespace coapt
 
 
   template <int dim>
-  double CoupledSystem<dim>::load_power(const double t, const double *y) const
+  double
+  CoupledSystem<dim>::load_power(const double t, const double *y) const
   {
     const std::vector<double> X_all = solid_positions(y);
     const std::vector<double> V_all = solid_velocities(y);

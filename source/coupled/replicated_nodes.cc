@@ -23,7 +23,8 @@ namespace coapt
 
 
 
-  void ReplicatedNodes::gather(const double *owned, double *all) const
+  void
+  ReplicatedNodes::gather(const double *owned, double *all) const
   {
     if (counts.size() == 1)
       std::copy_n(owned, counts[0], all);
@@ -40,7 +41,8 @@ namespace coapt
 
 
 
-  void ReplicatedNodes::sum(double *all) const
+  void
+  ReplicatedNodes::sum(double *all) const
   {
     if (counts.size() > 1)
       MPI_Allreduce(MPI_IN_PLACE,

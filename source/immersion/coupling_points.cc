@@ -40,8 +40,8 @@ namespace coapt
 
 
   template <int dim>
-  Point<dim> CouplingPoints<dim>::position(const Stencil &stencil,
-                                           const double *X) const
+  Point<dim>
+  CouplingPoints<dim>::position(const Stencil &stencil, const double *X) const
   {
     Point<dim> x;
     for (unsigned int a = 0; a < n_solid; ++a)
@@ -53,7 +53,8 @@ namespace coapt
 
 
   template <int dim>
-  std::vector<Point<dim>> CouplingPoints<dim>::positions(const double *X) const
+  std::vector<Point<dim>>
+  CouplingPoints<dim>::positions(const double *X) const
   {
     std::vector<Point<dim>> result(points.size());
     for (unsigned int id = 0; id < points.size(); ++id)
@@ -64,9 +65,10 @@ namespace coapt
 
 
   template <int dim>
-  void CouplingPoints<dim>::distribute(const FluidOperator<dim> &fluid,
-                                       const double *X,
-                                       std::vector<double> &multiplier)
+  void
+  CouplingPoints<dim>::distribute(const FluidOperator<dim> &fluid,
+                                  const double *X,
+                                  std::vector<double> &multiplier)
   {
     // Re-distribution is rare (re-adaptation, or a point that has crossed the
     // whole ghost layer), so the simple way is good enough: every rank sees
@@ -97,9 +99,10 @@ namespace coapt
 
 
   template <int dim>
-  bool CouplingPoints<dim>::place(Stencil &stencil,
-                                  const FluidOperator<dim> &fluid,
-                                  const double *X)
+  bool
+  CouplingPoints<dim>::place(Stencil &stencil,
+                             const FluidOperator<dim> &fluid,
+                             const double *X)
   {
     const Point<dim> x = position(stencil, X);
     stencil.cell       = fluid.locate(x, stencil.cell);
@@ -134,9 +137,10 @@ namespace coapt
 
 
   template <int dim>
-  bool CouplingPoints<dim>::update(const FluidOperator<dim> &fluid,
-                                   const double *X,
-                                   double *multiplier)
+  bool
+  CouplingPoints<dim>::update(const FluidOperator<dim> &fluid,
+                              const double *X,
+                              double *multiplier)
   {
     bool all_found = true;
     for (unsigned int q = 0; q < stencils.size(); ++q)

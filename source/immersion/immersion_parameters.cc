@@ -5,7 +5,8 @@ namespace coapt
   using dealii::Patterns::Double;
   using dealii::Patterns::Integer;
 
-  void ImmersionParameters::declare_parameters(dealii::ParameterHandler &prm)
+  void
+  ImmersionParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     const ImmersionParameters defaults;
     prm.enter_subsection("Coupling");
@@ -44,7 +45,8 @@ namespace coapt
 
 
 
-  void ImmersionParameters::parse_parameters(dealii::ParameterHandler &prm)
+  void
+  ImmersionParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Coupling");
     spacing             = prm.get_double("Point spacing");
@@ -58,10 +60,11 @@ namespace coapt
 
 
 
-  RelaxationCoefficients relaxation_coefficients(const double solid_density,
-                                                 const double fluid_density,
-                                                 const double tau,
-                                                 const double damping_ratio)
+  RelaxationCoefficients
+  relaxation_coefficients(const double solid_density,
+                          const double fluid_density,
+                          const double tau,
+                          const double damping_ratio)
   {
     const double density =
       2 * solid_density * fluid_density / (solid_density + fluid_density);

@@ -8,7 +8,8 @@ namespace coapt
 {
   namespace
   {
-    void check_flag(const int flag, const std::string &call)
+    void
+    check_flag(const int flag, const std::string &call)
     {
       if (flag < 0)
         throw NumericalError("SUNDIALS: " + call + " failed with code " +
@@ -18,7 +19,8 @@ namespace coapt
 
 
     /** Kinnmark and Gray (1984), five stages, third order. */
-    ARKodeButcherTable kinnmark_gray_table()
+    ARKodeButcherTable
+    kinnmark_gray_table()
     {
       double A[25] = {};
       A[5 * 1 + 0] = 1. / 5;
@@ -54,7 +56,8 @@ namespace coapt
 
 
 
-  void ExplicitIntegrator::release()
+  void
+  ExplicitIntegrator::release()
   {
     if (memory)
       ERKStepFree(&memory);
@@ -66,7 +69,8 @@ namespace coapt
 
 
 
-  void ExplicitIntegrator::start(const double t, std::vector<double> &y)
+  void
+  ExplicitIntegrator::start(const double t, std::vector<double> &y)
   {
     release();
     long int local               = y.size();
@@ -98,7 +102,8 @@ namespace coapt
 
 
 
-  void ExplicitIntegrator::step(const double dt)
+  void
+  ExplicitIntegrator::step(const double dt)
   {
     check_flag(ERKStepSetFixedStep(memory, dt), "ERKStepSetFixedStep");
     realtype reached = current_time;
@@ -120,10 +125,11 @@ namespace coapt
 
 
 
-  int ExplicitIntegrator::evaluate(realtype t,
-                                   N_Vector y,
-                                   N_Vector y_dot,
-                                   void *self)
+  int
+  ExplicitIntegrator::evaluate(realtype t,
+                               N_Vector y,
+                               N_Vector y_dot,
+                               void *self)
   {
     ExplicitIntegrator &integrator = *static_cast<ExplicitIntegrator *>(self);
     ++integrator.evaluations;
@@ -142,7 +148,8 @@ namespace coapt
 
 
 
-  int ExplicitIntegrator::post_process(realtype t, N_Vector y, void *self)
+  int
+  ExplicitIntegrator::post_process(realtype t, N_Vector y, void *self)
   {
     ExplicitIntegrator &integrator = *static_cast<ExplicitIntegrator *>(self);
     try

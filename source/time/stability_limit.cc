@@ -7,7 +7,8 @@ namespace coapt
 {
   namespace
   {
-    bool is_stable(const std::complex<double> &z)
+    bool
+    is_stable(const std::complex<double> &z)
     {
       const std::complex<double> R = 1. +
         z * (1. + z * (1. / 2 + z * (1. / 6 + z * (1. / 30 + z * (1. / 150)))));
@@ -17,7 +18,8 @@ namespace coapt
 
 
 
-  double kinnmark_gray_limit(const double damping_ratio)
+  double
+  kinnmark_gray_limit(const double damping_ratio)
   {
     const double xi                      = damping_ratio;
     const std::complex<double> direction = xi < 1

@@ -1,6 +1,7 @@
 #ifndef coapt_coupled_coupled_system_h
 #define coapt_coupled_coupled_system_h
 
+#include <coapt/base/timing.h>
 #include <coapt/coupled/replicated_nodes.h>
 #include <coapt/coupled/state_layout.h>
 #include <coapt/fluid/fluid_grid.h>
@@ -49,10 +50,12 @@ namespace coapt
                   MPI_Comm communicator);
 
     /** Adds a load on the solid. */
-    void add_load(const SolidLoad &load);
+    void
+    add_load(const SolidLoad &load);
 
     /** Sets what acts on the solid velocity after each step. */
-    void set_impulse(const SolidImpulse &impulse);
+    void
+    set_impulse(const SolidImpulse &impulse);
 
     /**
      * State at rest: zero velocity and pressure, the solid at its reference
@@ -65,45 +68,54 @@ namespace coapt
      * Adapts the octree to @p wanted_level and moves the state to the new one,
      * coupling points included. Returns whether anything changed.
      */
-    bool adapt(FluidGrid<dim> &grid,
-               const typename FluidGrid<dim>::WantedLevel &wanted_level,
-               std::vector<double> &y);
+    bool
+    adapt(FluidGrid<dim> &grid,
+          const typename FluidGrid<dim>::WantedLevel &wanted_level,
+          std::vector<double> &y);
 
     /** Gives the coupling points to the ranks whose cells they lie in and
      * changes the length of @p y accordingly. */
-    void redistribute_points(std::vector<double> &y);
+    void
+    redistribute_points(std::vector<double> &y);
 
     /** Sets the length of the step that follows (s) and with it the
      * coefficients of the relaxed multiplier. */
-    void begin_step(const double dt);
+    void
+    begin_step(const double dt);
 
     /** y' = f(t, y). Collective. */
-    void rhs(const double t, const double *y, double *y_dot);
+    void
+    rhs(const double t, const double *y, double *y_dot);
 
     /** Acts on the completed state: contact, then new coupling weights. */
-    void finish_step(const double t, double *y);
+    void
+    finish_step(const double t, double *y);
 
     /** Whether a coupling point of any rank has left the cells known to its
      * rank, so that redistribute_points() is due. */
-    bool points_have_left() const
+    bool
+    points_have_left() const
     {
       return points_left;
     }
 
     /** Where the blocks of y lie. */
-    const StateLayout<dim> &layout() const
+    const StateLayout<dim> &
+    layout() const
     {
       return state_layout;
     }
 
     /** Coefficients in force since begin_step(). */
-    const RelaxationCoefficients &relaxation() const
+    const RelaxationCoefficients &
+    relaxation() const
     {
       return coefficients;
     }
 
     /** Relaxation time in force (s). */
-    double relaxation_time() const
+    double
+    relaxation_time() const
     {
       return tau;
     }
@@ -113,25 +125,32 @@ namespace coapt
      * call (N s), weighted over the stages as the integrator weights them;
      * all nodes, summed over the ranks. Resets it. Collective.
      */
-    std::vector<double> take_coupling_impulse();
+    std::vector<double>
+    take_coupling_impulse();
 
     /** Positions and velocities of all solid nodes in the state @p y.
      * Collective. @{ */
-    std::vector<double> solid_positions(const double *y) const;
+    std::vector<double>
+    solid_positions(const double *y) const;
 
-    std::vector<double> solid_velocities(const double *y) const;
+    std::vector<double>
+    solid_velocities(const double *y) const;
     /** @} */
 
     /** Fluid velocity on all local nodes, hanging ones included. */
-    std::vector<double> local_velocity(const double *y) const;
+    std::vector<double>
+    local_velocity(const double *y) const;
 
     /** Power of the loads in the state @p y: sum of F.V over nodes (W). */
-    double load_power(const double t, const double *y) const;
+    double
+    load_power(const double t, const double *y) const;
 
   private:
-    void update_layout();
+    void
+    update_layout();
 
-    void accumulate_coupling_impulse();
+    void
+    accumulate_coupling_impulse();
 
     FluidOperator<dim> &fluid;
     const SolidOperator<dim> &solid;

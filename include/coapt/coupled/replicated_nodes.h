@@ -20,22 +20,26 @@ namespace coapt
                     MPI_Comm communicator);
 
     /** First node of this rank's range, and the number of nodes in it. @{ */
-    unsigned int begin() const
+    unsigned int
+    begin() const
     {
       return offsets[rank] / n_components;
     }
 
-    unsigned int n_owned() const
+    unsigned int
+    n_owned() const
     {
       return counts[rank] / n_components;
     }
     /** @} */
 
     /** Collects the owned ranges of all ranks in @p all. Collective. */
-    void gather(const double *owned, double *all) const;
+    void
+    gather(const double *owned, double *all) const;
 
     /** Sums @p all over the ranks, in place. Collective. */
-    void sum(double *all) const;
+    void
+    sum(double *all) const;
 
   private:
     MPI_Comm communicator;

@@ -21,34 +21,40 @@ namespace coapt
 
     /** Offsets of the blocks: fluid velocity (m/s), fluid pressure (Pa), solid
      * position (m), solid velocity (m/s), multiplier (N/m^3). @{ */
-    std::size_t velocity() const
+    std::size_t
+    velocity() const
     {
       return 0;
     }
 
-    std::size_t pressure() const
+    std::size_t
+    pressure() const
     {
       return std::size_t(dim) * n_fluid_nodes;
     }
 
-    std::size_t position() const
+    std::size_t
+    position() const
     {
       return pressure() + n_fluid_cells;
     }
 
-    std::size_t solid_velocity() const
+    std::size_t
+    solid_velocity() const
     {
       return position() + std::size_t(dim) * n_solid_nodes;
     }
 
-    std::size_t multiplier() const
+    std::size_t
+    multiplier() const
     {
       return solid_velocity() + std::size_t(dim) * n_solid_nodes;
     }
     /** @} */
 
     /** Length of the array. */
-    std::size_t size() const
+    std::size_t
+    size() const
     {
       return multiplier() + std::size_t(dim) * n_points;
     }

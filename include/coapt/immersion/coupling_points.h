@@ -40,9 +40,10 @@ namespace coapt
      * rank (N/m^3), is replaced; it may be empty at first, which means zero.
      * Collective.
      */
-    void distribute(const FluidOperator<dim> &fluid,
-                    const double *X,
-                    std::vector<double> &multiplier);
+    void
+    distribute(const FluidOperator<dim> &fluid,
+               const double *X,
+               std::vector<double> &multiplier);
 
     /**
      * Recomputes cells and weights for the nodal positions @p X (m) and sets
@@ -54,9 +55,10 @@ namespace coapt
      * Returns whether all points of this rank lie in cells known to it; if
      * not on some rank, distribute() is due.
      */
-    bool update(const FluidOperator<dim> &fluid,
-                const double *X,
-                double *multiplier);
+    bool
+    update(const FluidOperator<dim> &fluid,
+           const double *X,
+           double *multiplier);
 
     /**
      * Adds the coupling force to the fluid and its reaction to the solid:
@@ -67,13 +69,14 @@ namespace coapt
      * @p fluid_velocity and @p fluid_force are node triples on the local nodes
      * of the fluid, @p V (m/s) and @p solid_force (N) on all solid nodes.
      */
-    void add_forces(const RelaxationCoefficients &coefficients,
-                    const double *fluid_velocity,
-                    const double *V,
-                    const double *multiplier,
-                    double *fluid_force,
-                    double *solid_force,
-                    double *multiplier_rate) const;
+    void
+    add_forces(const RelaxationCoefficients &coefficients,
+               const double *fluid_velocity,
+               const double *V,
+               const double *multiplier,
+               double *fluid_force,
+               double *solid_force,
+               double *multiplier_rate) const;
 
     /** Energy stored in the multiplier, sum w lambda^2 / (2 k), and power
      * dissipated by the drag, sum w beta |v - J u|^2. J and W, all ranks. */
@@ -83,35 +86,41 @@ namespace coapt
       double dissipation = 0;
       double slip_rms    = 0; // root of the mean of |v - J u|^2, m/s
     };
-    EnergyAndPower energy_and_power(const RelaxationCoefficients &coefficients,
-                                    const double *fluid_velocity,
-                                    const double *V,
-                                    const double *multiplier) const;
+    EnergyAndPower
+    energy_and_power(const RelaxationCoefficients &coefficients,
+                     const double *fluid_velocity,
+                     const double *V,
+                     const double *multiplier) const;
 
     /** Volume of solid in each fluid cell that this rank owns (m^3). */
-    std::vector<double> solid_volume(const FluidOperator<dim> &fluid) const;
+    std::vector<double>
+    solid_volume(const FluidOperator<dim> &fluid) const;
 
     /**
      * Largest ratio of coupled solid mass to the mass of a fluid node, over
      * all ranks (-). Above about two the explicit step may be unstable.
      */
-    double largest_mass_ratio(const FluidOperator<dim> &fluid,
-                              const double solid_density) const;
+    double
+    largest_mass_ratio(const FluidOperator<dim> &fluid,
+                       const double solid_density) const;
 
     /** Number of points of this rank. */
-    unsigned int n_owned() const
+    unsigned int
+    n_owned() const
     {
       return ids.size();
     }
 
     /** Number of points of all ranks. */
-    unsigned int n_points() const
+    unsigned int
+    n_points() const
     {
       return points.size();
     }
 
     /** Positions of all points for nodal positions @p X (m). */
-    std::vector<dealii::Point<dim>> positions(const double *X) const;
+    std::vector<dealii::Point<dim>>
+    positions(const double *X) const;
 
   private:
     static constexpr unsigned int n_fluid = 1u << dim;
@@ -135,9 +144,11 @@ namespace coapt
     bool
     place(Stencil &stencil, const FluidOperator<dim> &fluid, const double *X);
 
-    dealii::Point<dim> position(const Stencil &stencil, const double *X) const;
+    dealii::Point<dim>
+    position(const Stencil &stencil, const double *X) const;
 
-    Stencil unplaced_stencil(const unsigned int id) const;
+    Stencil
+    unplaced_stencil(const unsigned int id) const;
 
     const SimplexMesh<dim> &mesh;
     std::vector<SamplePoint<dim>> points;

@@ -28,10 +28,12 @@ namespace coapt
     double damping_ratio = 0.5;
 
     /** Declares the parameters. */
-    static void declare_parameters(dealii::ParameterHandler &prm);
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
 
     /** Reads them. */
-    void parse_parameters(dealii::ParameterHandler &prm);
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
   };
 
   /**
@@ -50,10 +52,11 @@ namespace coapt
    * an oscillator of damping ratio zeta and period of the order of tau.
    * Densities in kg/m^3, @p tau in s.
    */
-  RelaxationCoefficients relaxation_coefficients(const double solid_density,
-                                                 const double fluid_density,
-                                                 const double tau,
-                                                 const double damping_ratio);
+  RelaxationCoefficients
+  relaxation_coefficients(const double solid_density,
+                          const double fluid_density,
+                          const double tau,
+                          const double damping_ratio);
 } // namespace coapt
 
 #endif

@@ -32,46 +32,55 @@ namespace coapt
 
     ~ExplicitIntegrator();
 
-    ExplicitIntegrator(const ExplicitIntegrator &)            = delete;
-    ExplicitIntegrator &operator=(const ExplicitIntegrator &) = delete;
+    ExplicitIntegrator(const ExplicitIntegrator &) = delete;
+    ExplicitIntegrator &
+    operator=(const ExplicitIntegrator &) = delete;
 
     /**
      * Starts from the state @p y at time @p t. Due at first and whenever the
      * length or the contents of @p y have changed from outside. @p y is
      * written by every step() and must outlive it.
      */
-    void start(const double t, std::vector<double> &y);
+    void
+    start(const double t, std::vector<double> &y);
 
     /**
      * One step of length @p dt (s). Exceptions of the right-hand side pass
      * through; a failure of SUNDIALS throws NumericalError.
      */
-    void step(const double dt);
+    void
+    step(const double dt);
 
     /** Time reached (s). */
-    double time() const
+    double
+    time() const
     {
       return current_time;
     }
 
     /** Number of steps since construction. */
-    unsigned long n_steps() const
+    unsigned long
+    n_steps() const
     {
       return steps;
     }
 
     /** Number of evaluations of the right-hand side since construction. */
-    unsigned long n_evaluations() const
+    unsigned long
+    n_evaluations() const
     {
       return evaluations;
     }
 
   private:
-    static int evaluate(realtype t, N_Vector y, N_Vector y_dot, void *self);
+    static int
+    evaluate(realtype t, N_Vector y, N_Vector y_dot, void *self);
 
-    static int post_process(realtype t, N_Vector y, void *self);
+    static int
+    post_process(realtype t, N_Vector y, void *self);
 
-    void release();
+    void
+    release();
 
     MPI_Comm communicator;
     RightHandSide right_hand_side;

@@ -10,7 +10,8 @@ namespace coapt
    * R(z) = 1 + z + z^2/2 + z^3/6 + z^4/30 + z^5/150. It is sqrt(15) = 3.873 for
    * xi = 0 and falls to 3.05 / (xi + sqrt(xi^2 - 1)) when overdamped.
    */
-  double kinnmark_gray_limit(const double damping_ratio);
+  double
+  kinnmark_gray_limit(const double damping_ratio);
 } // namespace coapt
 
 #endif
