@@ -16,6 +16,7 @@ namespace coapt
                                     const ImmersionParameters &parameters,
                                     const double solid_density,
                                     const double fluid_density,
+                                    Timing &timing,
                                     MPI_Comm communicator)
     : fluid(fluid)
     , solid(solid)
@@ -25,11 +26,18 @@ namespace coapt
     , solid_density(solid_density)
     , fluid_density(fluid_density)
     , communicator(communicator)
+    , timing(timing)
+    , sections({timing.section("Exchange"),
+                timing.section("Fluid"),
+                timing.section("Coupling"),
+                timing.section("Solid"),
+                timing.section("Chordae"),
+                timing.section("Contact"),
+                timing.section("Coupling weights")})
     , nodes(solid.n_nodes(), dim, communicator)
     , X(dim * solid.n_nodes())
     , V(dim * solid.n_nodes())
     , solid_force(dim * solid.n_nodes())
-    , coupling_force(dim * solid.n_nodes())
     , coupling_impulse(dim * solid.n_nodes(), 0.)
   {
   }
@@ -59,49 +67,108 @@ namespace coapt
   CoupledSystem<dim>::rhs(const double t, const double *y, double *y_dot)
   {
     const StateLayout<dim> &at = state_layout;
+    gather_inputs(y);
+    add_fluid_forces(t, y + at.pressure(), y_dot + at.pressure());
+    add_coupling(y + at.multiplier(), y_dot + at.multiplier());
+    add_solid_forces();
+    add_loads(t);
+    finish_solid(y_dot + at.position(), y_dot + at.solid_velocity());
+    finish_fluid(y_dot + at.velocity());
+  }
 
-    // What the terms below read: the whole solid, the fluid with its ghosts.
-    nodes.gather(y + at.position(), X.data());
-    nodes.gather(y + at.solid_velocity(), V.data());
-    fluid.gather(y + at.velocity(), fluid_velocity.data());
 
-    // M_u u' and p' of the fluid alone
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::gather_inputs(const double *y)
+  {
+    const auto scope = timing.scope(sections.exchange);
+    nodes.gather(y + state_layout.position(), X.data());
+    nodes.gather(y + state_layout.solid_velocity(), V.data());
+    fluid.gather(y + state_layout.velocity(), fluid_velocity.data());
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::add_fluid_forces(const double t,
+                                       const double *pressure,
+                                       double *pressure_rate)
+  {
+    const auto scope = timing.scope(sections.fluid);
     std::fill(fluid_force.begin(), fluid_force.end(), 0.);
-    fluid.add_forces(t,
-                     fluid_velocity.data(),
-                     y + at.pressure(),
-                     fluid_force.data(),
-                     y_dot + at.pressure());
+    fluid.add_forces(
+      t, fluid_velocity.data(), pressure, fluid_force.data(), pressure_rate);
+  }
 
-    // lambda', and the force f that couples fluid and solid
-    std::fill(coupling_force.begin(), coupling_force.end(), 0.);
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::add_coupling(const double *multiplier,
+                                   double *multiplier_rate)
+  {
+    const auto scope = timing.scope(sections.coupling);
+    std::fill(solid_force.begin(), solid_force.end(), 0.);
     points.add_forces(coefficients,
                       fluid_velocity.data(),
                       V.data(),
-                      y + at.multiplier(),
+                      multiplier,
                       fluid_force.data(),
-                      coupling_force.data(),
-                      y_dot + at.multiplier());
+                      solid_force.data(),
+                      multiplier_rate);
     accumulate_coupling_impulse();
+  }
 
-    // M_s V' : internal forces, chordae, coupling
-    solid_force = coupling_force;
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::add_solid_forces()
+  {
+    const auto scope = timing.scope(sections.solid);
     solid.add_forces(X.data(), V.data(), solid_force.data());
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::add_loads(const double t)
+  {
+    const auto scope = timing.scope(sections.loads);
     for (const SolidLoad &load : loads)
       load(t, X.data(), V.data(), solid_force.data());
-    nodes.sum(solid_force.data());
+  }
 
-    // divide by the lumped masses
-    fluid.finish(fluid_force.data(), y_dot + at.velocity());
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::finish_solid(double *position_rate, double *velocity_rate)
+  {
+    const auto scope = timing.scope(sections.exchange);
+    nodes.sum(solid_force.data());
     const unsigned int begin = nodes.begin();
     for (unsigned int n = 0; n < nodes.n_owned(); ++n)
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const unsigned int i               = dim * (begin + n) + d;
-          y_dot[at.position() + dim * n + d] = pinned[begin + n] ? 0. : V[i];
-          y_dot[at.solid_velocity() + dim * n + d] =
+          const unsigned int i       = dim * (begin + n) + d;
+          position_rate[dim * n + d] = pinned[begin + n] ? 0. : V[i];
+          velocity_rate[dim * n + d] =
             pinned[begin + n] ? 0. : solid_force[i] / solid.mass()[begin + n];
         }
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::finish_fluid(double *acceleration)
+  {
+    const auto scope = timing.scope(sections.exchange);
+    fluid.finish(fluid_force.data(), acceleration);
   }
 
 
@@ -117,14 +184,16 @@ namespace coapt
     nodes.gather(y + at.position(), X.data());
     if (impulse)
       {
+        const auto scope = timing.scope(sections.contact);
         nodes.gather(y + at.solid_velocity(), V.data());
         impulse(X.data(), V.data(), step_length);
         std::copy_n(V.data() + dim * nodes.begin(),
                     dim * nodes.n_owned(),
                     y + at.solid_velocity());
       }
+    const auto scope = timing.scope(sections.weights);
     const bool found = points.update(fluid, X.data(), y + at.multiplier());
-    points_left = dealii::Utilities::MPI::max(found ? 0 : 1, communicator) == 1;
+    points_left      = dealii::Utilities::MPI::max(found ? 0 : 1, communicator);
   }
 
 
@@ -147,12 +216,13 @@ namespace coapt
   void
   CoupledSystem<dim>::accumulate_coupling_impulse()
   {
+    // At this point of the evaluation solid_force holds the coupling alone.
     // Of the five stages of KG5(3), the first and the last enter the step.
     const double weight = stage == 0 ? 0.25 : (stage == 4 ? 0.75 : 0.);
     ++stage;
     if (weight > 0)
-      for (unsigned int i = 0; i < coupling_force.size(); ++i)
-        coupling_impulse[i] += weight * step_length * coupling_force[i];
+      for (unsigned int i = 0; i < solid_force.size(); ++i)
+        coupling_impulse[i] += weight * step_length * solid_force[i];
   }
 
 

@@ -47,6 +47,7 @@ namespace coapt
                   const ImmersionParameters &parameters,
                   const double solid_density,
                   const double fluid_density,
+                  Timing &timing,
                   MPI_Comm communicator);
 
     /** Adds a load on the solid. */
@@ -149,6 +150,31 @@ namespace coapt
     void
     update_layout();
 
+    /** The terms of the right-hand side, in their order. @{ */
+    void
+    gather_inputs(const double *y);
+
+    void
+    add_fluid_forces(const double t,
+                     const double *pressure,
+                     double *pressure_rate);
+
+    void
+    add_coupling(const double *multiplier, double *multiplier_rate);
+
+    void
+    add_solid_forces();
+
+    void
+    add_loads(const double t);
+
+    void
+    finish_solid(double *position_rate, double *velocity_rate);
+
+    void
+    finish_fluid(double *acceleration);
+    /** @} */
+
     void
     accumulate_coupling_impulse();
 
@@ -161,6 +187,14 @@ namespace coapt
     double fluid_density;
     MPI_Comm communicator;
 
+    /** Sections of the right-hand side and of the end of a step. */
+    struct Sections
+    {
+      unsigned int exchange, fluid, coupling, solid, loads, contact, weights;
+    };
+
+    Timing &timing;
+    Sections sections;
     ReplicatedNodes nodes;
     StateLayout<dim> state_layout;
     std::vector<SolidLoad> loads;
@@ -172,7 +206,7 @@ namespace coapt
     bool points_left   = false;
 
     // Work arrays: the solid replicated, the fluid with its ghosts.
-    std::vector<double> X, V, solid_force, coupling_force, coupling_impulse;
+    std::vector<double> X, V, solid_force, coupling_impulse;
     std::vector<double> fluid_velocity, fluid_force;
   };
 } // namespace coapt

@@ -1,0 +1,87 @@
+#include <coapt/base/exceptions.h>
+#include <coapt/time/step_control.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coapt
+{
+  void
+  StepParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using dealii::Patterns::Double;
+    using dealii::Patterns::Integer;
+    prm.enter_subsection("Time");
+    prm.declare_entry("Step safety",
+                      "0.8",
+                      Double(0.01, 1.5),
+                      "Step length over the smallest stability limit (-).");
+    prm.declare_entry("Largest step",
+                      "1e-4",
+                      Double(1e-12, 1.),
+                      "Upper bound of the step length (s).");
+    prm.declare_entry("Steps between limits",
+                      "10",
+                      Integer(1, 1000),
+                      "Steps between two evaluations of the stability limits "
+                      "(-).");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  StepParameters::parse_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Time");
+    safety   = prm.get_double("Step safety");
+    max_step = prm.get_double("Largest step");
+    interval = prm.get_integer("Steps between limits");
+    prm.leave_subsection();
+  }
+
+
+
+  StepControl::StepControl(const StepParameters &parameters)
+    : parameters(parameters)
+  {
+  }
+
+
+
+  void
+  StepControl::update(const std::vector<StepLimit> &limits)
+  {
+    double smallest  = parameters.max_step;
+    std::string part = "largest step";
+    for (const StepLimit &limit : limits)
+      {
+        if (!(limit.length > 0))
+          throw NumericalError("the step limit of the " + limit.part + " is " +
+                               std::to_string(limit.length) + " s");
+        if (parameters.safety * limit.length < smallest)
+          {
+            smallest = parameters.safety * limit.length;
+            part     = limit.part;
+          }
+      }
+    const double largest_growth = 1.02;
+    length =
+      length > 0 ? std::min(smallest, largest_growth * length) : smallest;
+    limiting_part = part;
+  }
+
+
+
+  double
+  StepControl::step(const double time_left) const
+  {
+    // Two equal steps rather than a whole one and a tiny one, which would
+    // stiffen the relaxed multiplier.
+    if (time_left <= length)
+      return time_left;
+    if (time_left < 2 * length)
+      return 0.5 * time_left;
+    return length;
+  }
+} // namespace coapt
