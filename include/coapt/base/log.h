@@ -1,0 +1,67 @@
+#ifndef coapt_base_log_h
+#define coapt_base_log_h
+
+#include <mpi.h>
+
+#include <fstream>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * Lines for the terminal and for the log file of a run, written by the first
+   * rank; the others keep silent. Warnings are counted by a key, so that one
+   * which is raised in each of 10^4 steps takes one line.
+   */
+  class Log
+  {
+  public:
+    /** A warning, its text when it was first raised, and how often it was. */
+    struct Warning
+    {
+      std::string key;
+      std::string text;
+      unsigned int count;
+    };
+
+    /** Writes to @p terminal; no file until open(). */
+    explicit Log(const MPI_Comm communicator);
+    Log(const MPI_Comm communicator, std::ostream &terminal);
+
+    /**
+     * Starts the log file, first with what has been logged so far.
+     *
+     * @throws InputError if the file cannot be written.
+     */
+    void open(const std::string &file);
+
+    /** Writes a line to the terminal and the file. */
+    void line(const std::string &text);
+
+    /** Writes a line to the file only. */
+    void file_line(const std::string &text);
+
+    /**
+     * Raises the warning @p key. Only the first rank's calls count: what one
+     * rank alone sees must be reduced before. The first call writes a line.
+     */
+    void warn(const std::string &key, const std::string &text);
+
+    /** All warnings in the order in which they were first raised. */
+    const std::vector<Warning> &warnings() const
+    {
+      return all_warnings;
+    }
+
+  private:
+    const bool is_first_rank;
+    std::ostream &terminal;
+    std::ofstream file;
+    std::string lines_before_open;
+    std::vector<Warning> all_warnings;
+  };
+} // namespace coapt
+
+#endif

@@ -1,0 +1,24 @@
+#ifndef coapt_base_parameter_file_h
+#define coapt_base_parameter_file_h
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace coapt
+{
+  /**
+   * Reads @p file into @p prm, in which everything has been declared.
+   *
+   * @throws InputError with file, line and reason on one line if the file
+   * cannot be read, an entry or subsection is unknown (with the declared name
+   * that comes nearest), or a value does not fit its pattern.
+   */
+  void read_parameter_file(dealii::ParameterHandler &prm,
+                           const std::string &file);
+} // namespace coapt
+
+#endif

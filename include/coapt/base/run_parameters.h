@@ -1,0 +1,43 @@
+#ifndef coapt_base_run_parameters_h
+#define coapt_base_run_parameters_h
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace coapt
+{
+  /** How long to run, and what to write where. Subsections Time and Output. */
+  struct RunParameters
+  {
+    /** The run covers the times from 0 to this (s). */
+    double end_time = 0.1;
+
+    /** Time between two rows of the statistics (s). */
+    double output_interval = 1e-3;
+
+    /** Time between two sets of field files (s), zero for none. */
+    double fields_interval = 5e-3;
+
+    /** Folder for all results. */
+    std::string output_folder = "output";
+
+    /** Whether the folder may hold the results of an earlier run. */
+    bool overwrite = false;
+
+    /** Declares all parameters with their defaults. */
+    static void declare_parameters(dealii::ParameterHandler &prm);
+
+    /**
+     * Reads the declared parameters.
+     *
+     * @throws InputError if an interval exceeds what can be resolved.
+     */
+    void parse_parameters(dealii::ParameterHandler &prm);
+  };
+} // namespace coapt
+
+#endif

@@ -1,0 +1,83 @@
+#include <coapt/base/exceptions.h>
+#include <coapt/base/log.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace coapt
+{
+  namespace
+  {
+    bool first_rank(const MPI_Comm communicator)
+    {
+      int rank;
+      MPI_Comm_rank(communicator, &rank);
+      return rank == 0;
+    }
+  } // namespace
+
+  Log::Log(const MPI_Comm communicator) : Log(communicator, std::cout)
+  {
+  }
+
+
+
+  Log::Log(const MPI_Comm communicator, std::ostream &terminal)
+    : is_first_rank(first_rank(communicator)), terminal(terminal)
+  {
+  }
+
+
+
+  void Log::open(const std::string &name)
+  {
+    if (!is_first_rank)
+      return;
+    file.open(name);
+    file << lines_before_open << std::flush;
+    if (!file)
+      throw InputError(name + ": cannot be written");
+    lines_before_open.clear();
+  }
+
+
+
+  void Log::line(const std::string &text)
+  {
+    if (!is_first_rank)
+      return;
+    terminal << text << std::endl;
+    file_line(text);
+  }
+
+
+
+  void Log::file_line(const std::string &text)
+  {
+    if (!is_first_rank)
+      return;
+    if (file.is_open())
+      file << text << std::endl;
+    else
+      lines_before_open += text + '\n';
+  }
+
+
+
+  void Log::warn(const std::string &key, const std::string &text)
+  {
+    if (!is_first_rank)
+      return;
+    const auto found =
+      std::find_if(all_warnings.begin(),
+                   all_warnings.end(),
+                   [&](const Warning &warning) { return warning.key == key; });
+    if (found != all_warnings.end())
+      {
+        ++found->count;
+        return;
+      }
+    all_warnings.push_back({key, text, 1});
+    line("warning: " + text);
+  }
+} // namespace coapt

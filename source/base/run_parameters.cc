@@ -1,0 +1,70 @@
+#include <coapt/base/exceptions.h>
+#include <coapt/base/run_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace coapt
+{
+  using namespace dealii;
+
+  void RunParameters::declare_parameters(ParameterHandler &prm)
+  {
+    const RunParameters defaults;
+    // times have to be positive; the pattern's bounds are inclusive
+    const double least = 1e-9;
+    prm.enter_subsection("Time");
+    prm.declare_entry("End time",
+                      Patterns::Tools::to_string(defaults.end_time),
+                      Patterns::Double(least, 100.),
+                      "Time at which the run ends (s); it starts at 0.");
+    prm.leave_subsection();
+
+    prm.enter_subsection("Output");
+    prm.declare_entry("Folder",
+                      defaults.output_folder,
+                      Patterns::FileName(Patterns::FileName::output),
+                      "Folder for all results, relative to the folder in "
+                      "which the program is started. Created if necessary.");
+    prm.declare_entry("Overwrite",
+                      "false",
+                      Patterns::Bool(),
+                      "Whether results of an earlier run in the folder may "
+                      "be overwritten.");
+    prm.declare_entry("Interval",
+                      Patterns::Tools::to_string(defaults.output_interval),
+                      Patterns::Double(least, 100.),
+                      "Time between two rows of statistics.csv, and between "
+                      "two lines on the terminal (s).");
+    prm.declare_entry("Fields interval",
+                      Patterns::Tools::to_string(defaults.fields_interval),
+                      Patterns::Double(0., 100.),
+                      "Time between two sets of files for ParaView (s). They "
+                      "are written at the first row of statistics that is due "
+                      "after it has passed; 0 writes none.");
+    prm.leave_subsection();
+  }
+
+
+
+  void RunParameters::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Time");
+    end_time = prm.get_double("End time");
+    prm.leave_subsection();
+
+    prm.enter_subsection("Output");
+    output_folder   = prm.get("Folder");
+    overwrite       = prm.get_bool("Overwrite");
+    output_interval = prm.get_double("Interval");
+    fields_interval = prm.get_double("Fields interval");
+    prm.leave_subsection();
+
+    if (output_folder.empty())
+      throw InputError("Output/Folder is empty, a folder's name is needed");
+    if (end_time / output_interval > 1e6)
+      throw InputError("Output/Interval asks for more than 10^6 rows, found " +
+                       Patterns::Tools::to_string(output_interval) +
+                       " s for an end time of " +
+                       Patterns::Tools::to_string(end_time) + " s");
+  }
+} // namespace coapt
