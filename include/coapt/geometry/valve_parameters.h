@@ -1,6 +1,7 @@
 #ifndef coapt_geometry_valve_parameters_h
 #define coapt_geometry_valve_parameters_h
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
@@ -42,6 +43,9 @@ namespace coapt
    */
   struct ValveParameters
   {
+    /** One degree in radians. */
+    static constexpr double degree = dealii::numbers::PI / 180;
+
     /** Annulus: x = a cos t, y = b sin t, z = -(height/2) cos 2t. */
     double annulus_semi_axis_x = 17.5e-3;
     double annulus_semi_axis_y = 14e-3;
@@ -57,13 +61,13 @@ namespace coapt
 
     /** Angle of the right commissure (the left one mirrors it), and half the
      * extent of the part that is labelled commissure. */
-    double commissure_angle      = 0.43633231299858238;
-    double commissure_half_width = 0.13089969389957470;
+    double commissure_angle      = 25 * degree;
+    double commissure_half_width = 7.5 * degree;
 
     /** Inclination from -z towards the axis. */
-    double anterior_cone_angle   = 0.34906585039886590;
-    double posterior_cone_angle  = 0.61086523819801530;
-    double commissure_cone_angle = 0.34906585039886590;
+    double anterior_cone_angle   = 20 * degree;
+    double posterior_cone_angle  = 35 * degree;
+    double commissure_cone_angle = 20 * degree;
 
     double thickness = 1e-3;
 
@@ -97,19 +101,19 @@ namespace coapt
     dealii::Point<3> papillary_tip = dealii::Point<3>(11e-3, -5e-3, -30e-3);
 
     /** Primary chordae of the right side: angles at the free edge. */
-    std::vector<double> primary_angles = {1.3613568165555770,
-                                          1.0122909661567112,
-                                          0.7330382858376184,
-                                          0.4363323129985824,
-                                          -0.2617993877991494,
-                                          -0.7330382858376184,
-                                          -1.3089969389957472};
+    std::vector<double> primary_angles = {78 * degree,
+                                          58 * degree,
+                                          42 * degree,
+                                          25 * degree,
+                                          -15 * degree,
+                                          -42 * degree,
+                                          -75 * degree};
 
     /** Secondary chordae of the right side: angles, and fractions of the
      * height. */
-    std::vector<double> secondary_angles  = {1.4660765716752369,
-                                             1.1170107212763709,
-                                             -0.9599310885968813};
+    std::vector<double> secondary_angles  = {84 * degree,
+                                             64 * degree,
+                                             -55 * degree};
     std::vector<double> secondary_heights = {0.45, 0.45, 0.5};
 
     double primary_diameter   = 0.6e-3;
@@ -127,13 +131,15 @@ namespace coapt
     std::vector<std::string> removed_chordae;
 
     /** Declares the entries of the subsections "Valve" and "Chordae". */
-    static void declare_parameters(dealii::ParameterHandler &prm);
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
 
     /**
      * Reads these entries.
      * @throws InputError if they contradict each other, see check().
      */
-    void parse_parameters(dealii::ParameterHandler &prm);
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
 
     /**
      * Checks what a bound on a single entry cannot.
@@ -141,7 +147,8 @@ namespace coapt
      *   (tetrahedra would not conform at the seam), if a size is not positive,
      *   or if the lists of the secondary chordae differ in length.
      */
-    void check() const;
+    void
+    check() const;
   };
 } // namespace coapt
 

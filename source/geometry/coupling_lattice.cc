@@ -1,0 +1,318 @@
+#include <coapt/base/exceptions.h>
+#include <coapt/geometry/coupling_lattice.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace coapt
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void
+    check_spacing(const double spacing)
+    {
+      if (!(spacing > 0))
+        throw InputError("The spacing of coupling points is " +
+                         std::to_string(spacing * 1e3) +
+                         " mm, but must be positive.");
+    }
+
+    /** Signed volume of a tetrahedron. */
+    double
+    volume(const Point<3> &a,
+           const Point<3> &b,
+           const Point<3> &c,
+           const Point<3> &d)
+    {
+      return cross_product_3d(b - a, c - a) * (d - a) / 6;
+    }
+
+    /** Maps the unit cube onto a leaflet between the columns of a quad:
+     * bilinear in the surface, linear between the nodes of a column. */
+    class ColumnMap
+    {
+    public:
+      ColumnMap(const Leaflet &leaflet, const unsigned int quad)
+        : points(leaflet.mesh.points)
+        , n_layers(leaflet.columns[leaflet.quads[quad][0]].size() - 1)
+      {
+        for (unsigned int c = 0; c < 4; ++c)
+          columns[c] = &leaflet.columns[leaflet.quads[quad][c]];
+      }
+
+      Point<3>
+      operator()(const double u, const double v, const double depth) const
+      {
+        const double weights[4] = {(1 - u) * (1 - v),
+                                   u * (1 - v),
+                                   u * v,
+                                   (1 - u) * v};
+        const unsigned int layer =
+          std::min<unsigned int>(depth * n_layers, n_layers - 1);
+        const double fraction = depth * n_layers - layer;
+        Point<3> p;
+        for (unsigned int c = 0; c < 4; ++c)
+          p += weights[c] *
+            ((1 - fraction) * points[(*columns[c])[layer]] +
+             fraction * points[(*columns[c])[layer + 1]]);
+        return p;
+      }
+
+      /** Jacobian determinant, by differences within a layer. */
+      double
+      jacobian(const double u, const double v, const double depth) const
+      {
+        const double e = 1e-3 / n_layers;
+        const Tensor<1, 3> du =
+          (*this)(u + e, v, depth) - (*this)(u - e, v, depth);
+        const Tensor<1, 3> dv =
+          (*this)(u, v + e, depth) - (*this)(u, v - e, depth);
+        const double inwards = depth < 0.5 ? e : -e;
+        const Tensor<1, 3> dw =
+          ((*this)(u, v, depth + inwards) - (*this)(u, v, depth)) / inwards;
+        return std::abs(cross_product_3d(du, dv) * dw) / (4 * e * e);
+      }
+
+      /** Longest edge of the quad between columns @p a and @p b or the
+       * opposite edge, on the atrial or the ventricular side. */
+      double
+      longest_edge(const unsigned int a, const unsigned int b) const
+      {
+        double longest = 0;
+        for (const unsigned int node : {0u, n_layers})
+          for (const unsigned int shift : {0u, 2u})
+            longest =
+              std::max(longest,
+                       points[(*columns[(a + shift) % 4])[node]].distance(
+                         points[(*columns[(b + shift) % 4])[node]]));
+        return longest;
+      }
+
+    private:
+      const std::vector<Point<3>> &points;
+      const unsigned int n_layers;
+      const std::vector<unsigned int> *columns[4];
+    };
+
+    /**
+     * Puts a point into the one of @p cells that contains it. The cells fill
+     * the region between bilinear surfaces up to their warp: where a point
+     * falls outside of all by that, the cell that it misses by least takes it,
+     * at its boundary.
+     */
+    void
+    locate(const SimplexMesh<3> &mesh,
+           const std::vector<unsigned int> &cells,
+           const Point<3> &p,
+           SamplePoint<3> &sample)
+    {
+      double best = -std::numeric_limits<double>::max();
+      for (const unsigned int cell : cells)
+        {
+          const auto &v     = mesh.cells[cell];
+          const Point<3> &a = mesh.points[v[0]], &b = mesh.points[v[1]],
+                         &c = mesh.points[v[2]], &d = mesh.points[v[3]];
+          const double whole                      = volume(a, b, c, d);
+          const std::array<double, 4> barycentric = {
+            {volume(p, b, c, d) / whole,
+             volume(a, p, c, d) / whole,
+             volume(a, b, p, d) / whole,
+             volume(a, b, c, p) / whole}};
+          const double least =
+            *std::min_element(barycentric.begin(), barycentric.end());
+          if (least > best)
+            {
+              best               = least;
+              sample.cell        = cell;
+              sample.barycentric = barycentric;
+            }
+        }
+      double sum = 0;
+      for (double &coordinate : sample.barycentric)
+        sum += (coordinate = std::max(coordinate, 0.));
+      for (double &coordinate : sample.barycentric)
+        coordinate /= sum;
+    }
+
+    std::vector<std::vector<unsigned int>>
+    cells_of_quads(const Leaflet &leaflet)
+    {
+      std::vector<std::vector<unsigned int>> cells(leaflet.quads.size());
+      for (unsigned int cell = 0; cell < leaflet.cell_quad.size(); ++cell)
+        cells[leaflet.cell_quad[cell]].push_back(cell);
+      return cells;
+    }
+
+    double
+    total_volume(const SimplexMesh<3> &mesh,
+                 const std::vector<unsigned int> &cells)
+    {
+      double sum = 0;
+      for (const unsigned int cell : cells)
+        {
+          const auto &v = mesh.cells[cell];
+          sum += volume(mesh.points[v[0]],
+                        mesh.points[v[1]],
+                        mesh.points[v[2]],
+                        mesh.points[v[3]]);
+        }
+      return sum;
+    }
+
+    void
+    fill_quad(const Leaflet &leaflet,
+              const unsigned int quad,
+              const std::vector<unsigned int> &cells,
+              const double in_plane,
+              const unsigned int n_layers,
+              std::vector<SamplePoint<3>> &samples)
+    {
+      const ColumnMap map(leaflet, quad);
+      const unsigned int m    = std::ceil(map.longest_edge(0, 1) / in_plane);
+      const unsigned int n    = std::ceil(map.longest_edge(1, 2) / in_plane);
+      const std::size_t first = samples.size();
+      double sum              = 0;
+      for (unsigned int i = 0; i < m; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int k = 0; k < n_layers; ++k)
+            {
+              const double u = (i + 0.5) / m, v = (j + 0.5) / n;
+              SamplePoint<3> sample;
+              sample.quad  = quad;
+              sample.depth = (k + 0.5) / n_layers;
+              locate(leaflet.mesh, cells, map(u, v, sample.depth), sample);
+              sample.volume = map.jacobian(u, v, sample.depth);
+              sum += sample.volume;
+              samples.push_back(sample);
+            }
+      const double scale = total_volume(leaflet.mesh, cells) / sum;
+      for (std::size_t s = first; s < samples.size(); ++s)
+        samples[s].volume *= scale;
+    }
+
+    /**
+     * Centroids, in barycentric coordinates, of the n^dim parts of a simplex.
+     * In the coordinates 1 >= x_1 >= ... >= x_dim >= 0 the simplex is one of
+     * the dim! parts of the unit cube; of each of the n^dim small cubes those
+     * parts belong to it whose centroid does.
+     */
+    template <int dim>
+    std::vector<std::array<double, dim + 1>>
+    part_centroids(const unsigned int n)
+    {
+      std::vector<std::array<double, dim + 1>> centroids;
+      const unsigned int n_cubes = std::lround(std::pow(n, dim));
+      for (unsigned int cube = 0; cube < n_cubes; ++cube)
+        {
+          std::array<unsigned int, dim> order;
+          std::iota(order.begin(), order.end(), 0);
+          do
+            {
+              // from the cube's lowest corner one edge after the other, in
+              // this order: the first is in dim of the dim + 1 corners, ...
+              std::array<double, dim> x;
+              unsigned int rest = cube;
+              for (unsigned int d = 0; d < dim; ++d, rest /= n)
+                x[d] = rest % n;
+              for (unsigned int d = 0; d < dim; ++d)
+                x[order[d]] += (dim - d) / (dim + 1.);
+
+              std::array<double, dim + 1> barycentric;
+              barycentric[0] = 1 - x[0] / n;
+              for (unsigned int d = 1; d < dim; ++d)
+                barycentric[d] = (x[d - 1] - x[d]) / n;
+              barycentric[dim] = x[dim - 1] / n;
+              if (*std::min_element(barycentric.begin(), barycentric.end()) > 0)
+                centroids.push_back(barycentric);
+          } while (std::next_permutation(order.begin(), order.end()));
+        }
+      return centroids;
+    }
+
+    template <int dim>
+    double
+    simplex_volume(const SimplexMesh<dim> &mesh,
+                   const std::array<unsigned int, dim + 1> &cell)
+    {
+      Tensor<2, dim> edges;
+      double factorial = 1;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          edges[d] = mesh.points[cell[d + 1]] - mesh.points[cell[0]];
+          factorial *= d + 1;
+        }
+      return std::abs(determinant(edges)) / factorial;
+    }
+
+    template <int dim>
+    double
+    longest_edge(const SimplexMesh<dim> &mesh,
+                 const std::array<unsigned int, dim + 1> &cell)
+    {
+      double longest = 0;
+      for (unsigned int a = 0; a <= dim; ++a)
+        for (unsigned int b = 0; b < a; ++b)
+          longest =
+            std::max(longest,
+                     mesh.points[cell[a]].distance(mesh.points[cell[b]]));
+      return longest;
+    }
+  } // namespace
+
+
+
+  std::vector<SamplePoint<3>>
+  leaflet_lattice(const Leaflet &leaflet,
+                  const double spacing,
+                  const double stretch,
+                  const unsigned int min_layers)
+  {
+    check_spacing(spacing);
+    check_spacing(spacing / stretch);
+    const unsigned int n_layers = std::max<unsigned int>(
+      min_layers, std::ceil(leaflet.thickness / spacing * (1 - 1e-12)));
+    const auto cells = cells_of_quads(leaflet);
+    std::vector<SamplePoint<3>> samples;
+    for (unsigned int q = 0; q < leaflet.quads.size(); ++q)
+      fill_quad(leaflet, q, cells[q], spacing / stretch, n_layers, samples);
+    return samples;
+  }
+
+
+
+  template <int dim>
+  std::vector<SamplePoint<dim>>
+  simplex_lattice(const SimplexMesh<dim> &mesh, const double spacing)
+  {
+    check_spacing(spacing);
+    std::vector<SamplePoint<dim>> samples;
+    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+      {
+        const unsigned int n = std::ceil(longest_edge(mesh, mesh.cells[cell]) /
+                                         spacing * (1 - 1e-12));
+        const auto centroids = part_centroids<dim>(n);
+        const double part =
+          simplex_volume(mesh, mesh.cells[cell]) / centroids.size();
+        for (const auto &centroid : centroids)
+          {
+            SamplePoint<dim> sample;
+            sample.cell        = cell;
+            sample.barycentric = centroid;
+            sample.volume      = part;
+            samples.push_back(sample);
+          }
+      }
+    return samples;
+  }
+
+
+
+  template std::vector<SamplePoint<2>>
+  simplex_lattice<2>(const SimplexMesh<2> &, const double);
+  template std::vector<SamplePoint<3>>
+  simplex_lattice<3>(const SimplexMesh<3> &, const double);
+} // namespace coapt
