@@ -1,0 +1,68 @@
+#ifndef coapt_contact_candidate_search_h
+#define coapt_contact_candidate_search_h
+
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * Finds the triangles of the mid-surface near each column by sorting the
+   * triangles into buckets. Neighbours of a column are never candidates:
+   * triangles whose closest point is within the exclusion distance of it in
+   * the reference configuration (the centroid would not do: with it
+   * neighbours repel each other).
+   */
+  class CandidateSearch
+  {
+  public:
+    /** A triangle and its distance (m) from the column when it was found. */
+    struct Candidate
+    {
+      unsigned int triangle;
+      double distance;
+    };
+
+    /** Searches on behalf of @p columns only, the share of this rank.
+     * @p reference holds the positions of all columns (m). */
+    CandidateSearch(const std::vector<dealii::Point<3>> &reference,
+                    const std::vector<std::array<unsigned int, 3>> &triangles,
+                    const double exclusion_distance,
+                    const std::vector<unsigned int> &columns);
+
+    /** Gathers all triangles within @p radius (m) for the columns at
+     * @p points, and keeps the points for displacement(). */
+    void
+    find(const std::vector<dealii::Point<3>> &points, const double radius);
+
+    /** The candidates of the i-th column of this rank, nearest first. */
+    const std::vector<Candidate> &
+    candidates(const unsigned int i) const;
+
+    /**
+     * Largest displacement of a column (m) since find(), infinite before it.
+     * Throws NumericalError if a position is not finite.
+     */
+    double
+    displacement(const std::vector<dealii::Point<3>> &points) const;
+
+  private:
+    struct Buckets;
+
+    void
+    find_for_column(const Buckets &buckets,
+                    const std::vector<dealii::Point<3>> &points,
+                    const double radius,
+                    const unsigned int i);
+
+    std::vector<std::array<unsigned int, 3>> triangles;
+    std::vector<unsigned int> columns;
+    std::vector<std::vector<unsigned int>> excluded; // sorted
+    std::vector<std::vector<Candidate>> found;
+    std::vector<dealii::Point<3>> points_at_find;
+  };
+} // namespace coapt
+
+#endif

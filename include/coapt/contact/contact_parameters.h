@@ -1,0 +1,48 @@
+#ifndef coapt_contact_contact_parameters_h
+#define coapt_contact_contact_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace coapt
+{
+  /** Parameters of the leaflet's contact with itself (subsection "Contact"). */
+  struct ContactParameters
+  {
+    /** Contact begins at this gap between the surfaces, that is, at a distance
+     * of thickness plus clearance between mid-surfaces (m). */
+    double clearance = 0.5e-3;
+
+    /** Penalty stiffness over density x element size / (time step)^2. */
+    double stiffness_factor = 0.2;
+
+    /** Upper bound of the penalty stiffness (Pa/m), whatever the time step. */
+    double max_stiffness = 4e8;
+
+    /** Fraction of the critical damping of a pair in contact. */
+    double damping = 0.3;
+
+    /** Coulomb's coefficient of friction. */
+    double friction = 0.2;
+
+    /** Steps between two looks at whether the candidates need renewal. */
+    unsigned int search_interval = 10;
+
+    /** A column never touches triangles that are nearer than this, plus the
+     * clearance, in the reference configuration (m). */
+    double exclusion_distance = 1.8e-3;
+
+    /** Distance beyond the onset of contact within which candidates are
+     * gathered (m). Gaps are known up to clearance plus half of it. */
+    double search_margin = 2e-3;
+
+    /** Declares the parameters. */
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Reads them. */
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
+  };
+} // namespace coapt
+
+#endif

@@ -1,0 +1,158 @@
+#ifndef coapt_contact_mid_surface_contact_h
+#define coapt_contact_mid_surface_contact_h
+
+#include <coapt/contact/candidate_search.h>
+#include <coapt/contact/contact_law.h>
+#include <coapt/contact/contact_parameters.h>
+#include <coapt/contact/mid_surface.h>
+
+#include <mpi.h>
+
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * Contact of a leaflet with itself, as an impulse on the velocities after
+   * each completed step.
+   *
+   * A column touches a triangle of the mid-surface when their distance falls
+   * below thickness plus clearance; since it is a distance, free edges are
+   * round and do not hook. Every column is treated as node against the
+   * triangles and, as their corner, as the partner of others: two passes of
+   * half weight each. A column takes the nearest triangle, and a second one on
+   * its other side, if it lies between two parts of the leaflet. Forces are
+   * applied at mid-surfaces; the couple of friction about them (half a
+   * thickness as its arm) is neglected.
+   *
+   * Contact has no stable step of its own: the stiffness follows the step.
+   *
+   * The columns are divided among the ranks and their impulses summed, so that
+   * the replicated velocities stay the same on all ranks.
+   */
+  class MidSurfaceContact
+  {
+  public:
+    /** @p nodal_mass in kg, @p density in kg/m^3. Throws InputError if the
+     * leaflet's columns or masses are not usable (see MidSurface). */
+    MidSurfaceContact(const Leaflet &leaflet,
+                      const std::vector<double> &nodal_mass,
+                      const double density,
+                      const ContactParameters &parameters,
+                      MPI_Comm communicator);
+
+    /** What happened in a step; the same on all ranks. */
+    struct Result
+    {
+      double normal_force    = 0;    // N, from one side to the other
+      double area            = 0;    // m^2, columns of both sides
+      double min_gap         = 1e-2; // m, distance minus thickness
+      double max_penetration = 0;    // m, clearance minus gap
+      double friction_power  = 0;    // W, work on the leaflet / step
+      double normal_power    = 0;    // W
+      unsigned int pairs     = 0;    // node against triangle
+    };
+
+    /**
+     * Changes the velocities @p V (m/s) of the step of length @p dt (s) that
+     * has just ended at positions @p X (m), both nodal triples of all nodes
+     * and the same on all ranks. Pinned nodes keep their velocity. Collective.
+     * Throws NumericalError if a position is not finite.
+     */
+    Result
+    apply_impulse(const double *X, double *V, const double dt);
+
+    /** State of the columns, the same on all ranks. */
+    struct ColumnState
+    {
+      /** Distance to the nearest other part of the mid-surface minus
+       * thickness (m), no_gap if there is none near. */
+      std::vector<double> gap;
+
+      /** Integral of the contact pressure over time (Pa s) since
+       * clear_accumulators(); both sides add up. */
+      std::vector<double> pressure_impulse;
+
+      /** Unit vector to the nearest other part, zero if there is none. */
+      std::vector<dealii::Tensor<1, 3>> normals;
+
+      /** Mid-surface area (m^2), reference and current. */
+      std::vector<double> reference_area, current_area;
+    };
+
+    /** Gap of a column with nothing near (m). */
+    static constexpr double no_gap = 1e-2;
+
+    /** The state after the last apply_impulse(). */
+    const ColumnState &
+    state() const;
+
+    /** Forgets pressure impulses and accumulated time. */
+    void
+    clear_accumulators();
+
+    /** Sum of the steps (s) since clear_accumulators(). */
+    double
+    accumulated_time() const;
+
+    /** Penalty stiffness (Pa/m) for a time step @p dt (s): factor x density x
+     * h / dt^2, h the smaller of thickness and mean column spacing, bounded by
+     * the largest stiffness; single pairs may use less. */
+    double
+    stiffness(const double dt) const;
+
+  private:
+    /** A column at its closest point on a triangle. */
+    struct Encounter
+    {
+      unsigned int triangle = 0;
+      double distance       = 0;
+      dealii::Tensor<1, 3> normal;
+      std::array<double, 3> weights;
+    };
+
+    void
+    renew_candidates();
+
+    Encounter
+    encounter(const unsigned int column, const unsigned int triangle) const;
+
+    unsigned int
+    find_encounters(const unsigned int i, Encounter (&encounters)[2]) const;
+
+    bool
+    add_impulse(const unsigned int column,
+                const Encounter &encounter,
+                const double *V,
+                const double stiffness,
+                const double dt);
+
+    void
+    treat_column(const unsigned int i,
+                 const double *V,
+                 const double stiffness,
+                 const double dt);
+
+    Result
+    apply_sums(double *V, const double dt);
+
+    const ContactParameters parameters;
+    const double thickness;
+    const MPI_Comm communicator;
+
+    MidSurface surface;
+    std::vector<unsigned int> own_columns;
+    CandidateSearch search;
+    double areal_mass; // density x h, kg/m^2
+    double displacement            = 0;
+    unsigned int steps_since_check = 0;
+
+    std::vector<dealii::Point<3>> points;
+    std::vector<double> sums; // what is summed over the ranks
+
+    ColumnState columns;
+    double time = 0;
+  };
+} // namespace coapt
+
+#endif

@@ -1,0 +1,354 @@
+#include <coapt/contact/mid_surface_contact.h>
+#include <coapt/geometry/triangle.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace coapt
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  namespace
+  {
+    /** Where a column's sums over the ranks are kept. */
+    enum Slot : unsigned int
+    {
+      normal_impulse     = 0, // vector
+      tangential_impulse = 3, // vector
+      pressure           = 6, // sum of the magnitudes of normal impulses
+      gap                = 7,
+      direction          = 8, // vector
+      n_slots            = 11
+    };
+
+    /** Two directions are opposite if their cosine is below this. */
+    constexpr double opposite = -0.2;
+
+    std::vector<unsigned int>
+    columns_of_rank(const unsigned int n_columns, MPI_Comm communicator)
+    {
+      // Cyclic, since only part of the leaflet is in contact.
+      std::vector<unsigned int> columns;
+      const unsigned int n_ranks =
+        dealii::Utilities::MPI::n_mpi_processes(communicator);
+      for (unsigned int c =
+             dealii::Utilities::MPI::this_mpi_process(communicator);
+           c < n_columns;
+           c += n_ranks)
+        columns.push_back(c);
+      return columns;
+    }
+
+    std::vector<Point<3>>
+    reference_positions(const MidSurface &surface, const Leaflet &leaflet)
+    {
+      std::vector<double> X;
+      for (const auto &point : leaflet.mesh.points)
+        for (unsigned int d = 0; d < 3; ++d)
+          X.push_back(point[d]);
+      std::vector<Point<3>> points(surface.n_columns());
+      surface.positions(X.data(), points);
+      return points;
+    }
+
+    void
+    add(double *sum, const double factor, const Tensor<1, 3> &vector)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        sum[d] += factor * vector[d];
+    }
+
+    Tensor<1, 3>
+    vector_at(const double *sum)
+    {
+      return Point<3>(sum[0], sum[1], sum[2]);
+    }
+  } // namespace
+
+
+
+  MidSurfaceContact::MidSurfaceContact(const Leaflet &leaflet,
+                                       const std::vector<double> &nodal_mass,
+                                       const double density,
+                                       const ContactParameters &parameters,
+                                       MPI_Comm communicator)
+    : parameters(parameters)
+    , thickness(leaflet.thickness)
+    , communicator(communicator)
+    , surface(leaflet, nodal_mass)
+    , own_columns(columns_of_rank(surface.n_columns(), communicator))
+    , search(reference_positions(surface, leaflet),
+             surface.triangles(),
+             parameters.exclusion_distance + parameters.clearance,
+             own_columns)
+    , points(reference_positions(surface, leaflet))
+  {
+    const unsigned int n = surface.n_columns();
+    surface.areas(points, columns.reference_area);
+    columns.current_area = columns.reference_area;
+    columns.gap.assign(n, no_gap);
+    columns.pressure_impulse.assign(n, 0.);
+    columns.normals.resize(n);
+
+    const double spacing =
+      std::sqrt(std::accumulate(columns.reference_area.begin(),
+                                columns.reference_area.end(),
+                                0.) /
+                std::max(n, 1u));
+    areal_mass = density * std::min(thickness, spacing);
+  }
+
+
+
+  double
+  MidSurfaceContact::stiffness(const double dt) const
+  {
+    return std::min(parameters.max_stiffness,
+                    parameters.stiffness_factor * areal_mass / (dt * dt));
+  }
+
+
+
+  const MidSurfaceContact::ColumnState &
+  MidSurfaceContact::state() const
+  {
+    return columns;
+  }
+
+
+
+  void
+  MidSurfaceContact::clear_accumulators()
+  {
+    columns.pressure_impulse.assign(surface.n_columns(), 0.);
+    time = 0;
+  }
+
+
+
+  double
+  MidSurfaceContact::accumulated_time() const
+  {
+    return time;
+  }
+
+
+
+  // Two columns approach by twice their displacement at most. Candidates are
+  // complete for all gaps to be reported while this is below half the margin;
+  // renewal before that only makes them fewer to look at.
+  void
+  MidSurfaceContact::renew_candidates()
+  {
+    displacement = search.displacement(points);
+    ++steps_since_check;
+    bool renew = 2 * displacement > 0.5 * parameters.search_margin;
+    if (steps_since_check >= parameters.search_interval)
+      {
+        steps_since_check = 0;
+        renew = renew || 2 * displacement > 0.05 * parameters.search_margin;
+      }
+    if (renew)
+      {
+        search.find(points,
+                    thickness + parameters.clearance +
+                      parameters.search_margin);
+        displacement = 0;
+      }
+  }
+
+
+
+  MidSurfaceContact::Encounter
+  MidSurfaceContact::encounter(const unsigned int column,
+                               const unsigned int triangle) const
+  {
+    Encounter result;
+    const auto &corner = surface.triangles()[triangle];
+    double weights[3];
+    const Point<3> &p      = points[column];
+    const Point<3> closest = closest_point_on_triangle(
+      p, points[corner[0]], points[corner[1]], points[corner[2]], weights);
+    result.triangle = triangle;
+    result.distance = p.distance(closest);
+    if (result.distance > 0)
+      result.normal = (closest - p) / result.distance;
+    result.weights = {{weights[0], weights[1], weights[2]}};
+    return result;
+  }
+
+
+
+  // The nearest triangle, and the nearest one in the opposite direction if it
+  // is in contact. Returns how many there are.
+  unsigned int
+  MidSurfaceContact::find_encounters(const unsigned int i,
+                                     Encounter (&encounters)[2]) const
+  {
+    const double onset = thickness + parameters.clearance;
+    const double range = onset + 0.5 * parameters.search_margin;
+    const auto &list   = search.candidates(i);
+
+    // Of those in contact, any may turn out to be the opposite one.
+    thread_local std::vector<Encounter> touching;
+    touching.clear();
+    unsigned int n = 0;
+    double nearest = range;
+    for (const auto &candidate : list)
+      {
+        const double least = candidate.distance - 2 * displacement;
+        if (least > std::max(nearest, onset) || least > range)
+          break;
+        const Encounter other = encounter(own_columns[i], candidate.triangle);
+        if (other.distance < onset)
+          touching.push_back(other);
+        if (other.distance <= nearest)
+          {
+            nearest       = other.distance;
+            encounters[0] = other;
+            n             = 1;
+          }
+      }
+    nearest = onset;
+    for (const Encounter &other : touching)
+      if (other.distance < nearest &&
+          other.normal * encounters[0].normal < opposite)
+        {
+          nearest       = other.distance;
+          encounters[1] = other;
+          n             = 2;
+        }
+    return n;
+  }
+
+
+
+  bool
+  MidSurfaceContact::add_impulse(const unsigned int column,
+                                 const Encounter &encounter,
+                                 const double *V,
+                                 const double stiffness,
+                                 const double dt)
+  {
+    const auto &corner = surface.triangles()[encounter.triangle];
+    const auto &area   = columns.current_area;
+
+    // The reduced mass is that of the two points, or that of the sheets under
+    // the column's area if this is less: a coarse sheet under a fine one is
+    // pushed by several columns at once.
+    double partner_inverse_mass = 0, partner_inverse_density = 0;
+    for (unsigned int v = 0; v < 3; ++v)
+      {
+        const double w       = encounter.weights[v];
+        const double inverse = surface.inverse_mass(corner[v]);
+        partner_inverse_mass += w * w * inverse;
+        partner_inverse_density += w * area[corner[v]] * inverse;
+      }
+    const double inverse = surface.inverse_mass(column) +
+      std::max(partner_inverse_mass, partner_inverse_density / area[column]);
+    if (!(inverse > 0) || !(area[column] > 0))
+      return false;
+
+    ContactPair pair;
+    pair.gap               = encounter.distance - thickness;
+    pair.normal            = encounter.normal;
+    pair.area              = area[column];
+    pair.reduced_mass      = 1. / inverse;
+    pair.relative_velocity = -surface.average(column, V);
+    for (unsigned int v = 0; v < 3; ++v)
+      pair.relative_velocity +=
+        encounter.weights[v] * surface.average(corner[v], V);
+
+    const ContactImpulse impulse =
+      contact_impulse(pair, parameters, stiffness, thickness, dt);
+    if (impulse.normal == 0)
+      return false;
+    const auto distribute = [&](const unsigned int c, const double weight) {
+      double *sum = &sums[n_slots * c];
+      add(sum + normal_impulse, weight * impulse.normal, pair.normal);
+      add(sum + tangential_impulse, weight, impulse.tangential);
+      sum[pressure] += std::abs(weight) * impulse.normal;
+    };
+    distribute(column, -1.);
+    for (unsigned int v = 0; v < 3; ++v)
+      distribute(corner[v], encounter.weights[v]);
+    return true;
+  }
+
+
+
+  void
+  MidSurfaceContact::treat_column(const unsigned int i,
+                                  const double *V,
+                                  const double stiffness,
+                                  const double dt)
+  {
+    Encounter encounters[2];
+    const unsigned int n = find_encounters(i, encounters);
+    double *sum          = &sums[n_slots * own_columns[i]];
+    sum[gap]             = n > 0 ? encounters[0].distance - thickness : no_gap;
+    if (n > 0)
+      add(sum + direction, 1., encounters[0].normal);
+    for (unsigned int e = 0; e < n; ++e)
+      if (encounters[e].distance < thickness + parameters.clearance)
+        sums.back() +=
+          add_impulse(own_columns[i], encounters[e], V, stiffness, dt);
+  }
+
+
+
+  MidSurfaceContact::Result
+  MidSurfaceContact::apply_impulse(const double *X, double *V, const double dt)
+  {
+    surface.positions(X, points);
+    renew_candidates();
+    surface.areas(points, columns.current_area);
+
+    sums.assign(n_slots * surface.n_columns() + 1, 0.);
+    const double k = stiffness(dt);
+    for (unsigned int i = 0; i < own_columns.size(); ++i)
+      treat_column(i, V, k, dt);
+    MPI_Allreduce(MPI_IN_PLACE,
+                  sums.data(),
+                  sums.size(),
+                  MPI_DOUBLE,
+                  MPI_SUM,
+                  communicator);
+    time += dt;
+    return apply_sums(V, dt);
+  }
+
+
+
+  MidSurfaceContact::Result
+  MidSurfaceContact::apply_sums(double *V, const double dt)
+  {
+    Result result;
+    for (unsigned int c = 0; c < surface.n_columns(); ++c)
+      {
+        const double *sum  = &sums[n_slots * c];
+        columns.gap[c]     = sum[gap];
+        columns.normals[c] = vector_at(sum + direction);
+        result.min_gap     = std::min(result.min_gap, sum[gap]);
+        if (sum[pressure] == 0)
+          continue;
+        columns.pressure_impulse[c] += sum[pressure] / columns.current_area[c];
+        result.normal_force += 0.5 * sum[pressure] / dt;
+        result.area += columns.current_area[c];
+        const auto work =
+          surface.apply_impulse(c,
+                                vector_at(sum + normal_impulse),
+                                vector_at(sum + tangential_impulse),
+                                V);
+        result.normal_power += work[0] / dt;
+        result.friction_power += work[1] / dt;
+      }
+    result.max_penetration =
+      std::max(0., parameters.clearance - result.min_gap);
+    result.pairs = static_cast<unsigned int>(sums.back());
+    return result;
+  }
+} // namespace coapt
