@@ -1,0 +1,148 @@
+#ifndef coapt_solid_solid_operator_h
+#define coapt_solid_solid_operator_h
+
+#include <coapt/solid/cell_batch.h>
+#include <coapt/solid/solid_parameters.h>
+
+#include <mpi.h>
+
+#include <limits>
+#include <variant>
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * The semi-discrete solid M X'' = -F_int(X) - F_visc(V): linear simplices
+   * in the total Lagrangian frame with a lumped mass matrix (Belytschko, Liu,
+   * Moran: Nonlinear Finite Elements, section 4.9). The first
+   * Piola-Kirchhoff stress is that of the material at the elastic deformation
+   * gradient F F0 plus the Kelvin-Voigt stress eta d(F F0)/dt.
+   *
+   * The Kelvin-Voigt stress is not objective: a rotation at the rate omega
+   * costs a stress of eta omega, some ten Pa for a closing leaflet.
+   *
+   * Every rank knows all nodes: nodal arrays have dim * n_nodes() entries,
+   * [dim * node + component]. The cells are divided among the ranks. In 2D
+   * the strain is plane, volumes are areas, and masses, forces and energies
+   * are per thickness.
+   */
+  template <int dim>
+  class SolidOperator
+  {
+  public:
+    /** Bound of the highest frequency, and where it is attained. */
+    struct StepBound
+    {
+      /** Largest undamped angular frequency (1/s); NaN if X is not finite. */
+      double omega = 0;
+
+      /** Largest viscous damping ratio of a motion at omega. */
+      double xi = 0;
+
+      /** Cell that has this frequency, or is not finite. */
+      unsigned int cell = 0;
+
+      /** Smallest ratio of the volume to the stress-free one. */
+      double min_jacobian = std::numeric_limits<double>::max();
+    };
+
+    /**
+     * @p fibre (one vector a cell) is needed by the material HGO and
+     * otherwise ignored; @p prestretch F0 (one tensor a cell, positive
+     * determinant) may be empty: identity. Collective.
+     *
+     * @throws InputError if cells are inverted or without volume (the first
+     * ten are listed), if the material is not admissible or not available
+     * (2D: neo-Hookean only), or if fibres or prestretches are missing, of
+     * another number than the cells, zero or singular.
+     */
+    SolidOperator(const SimplexMesh<dim> &mesh,
+                  const SolidParameters &parameters,
+                  const std::vector<dealii::Tensor<1, dim>> &fibre,
+                  const std::vector<dealii::Tensor<2, dim>> &prestretch,
+                  const MPI_Comm communicator);
+
+    /** Number of nodes. */
+    unsigned int
+    n_nodes() const;
+
+    /** Lumped mass of every node (kg), of the cells of all ranks. */
+    const std::vector<double> &
+    mass() const;
+
+    /**
+     * Subtracts from @p F (N) the internal and viscous forces of this rank's
+     * cells, at the positions @p X (m) and velocities @p V (m/s).
+     */
+    void
+    add_forces(const double *X, const double *V, double *F) const;
+
+    /** step_bound().omega. Collective. */
+    double
+    max_frequency(const double *X) const;
+
+    /**
+     * Bound of the frequencies of all cells at the positions @p X, which
+     * bounds those of the solid (Irons and Treharne, 1972). With it, central
+     * differences are stable below dt = 2/omega (sqrt(1 + xi^2) - xi), and
+     * the Kinnmark-Gray 5(3) method below 3.87/omega. For xi, the strongest
+     * damping of any cell is taken. Collective.
+     */
+    StepBound
+    step_bound(const double *X) const;
+
+    /** Elastic energy of the whole solid (J). Collective. */
+    double
+    elastic_energy(const double *X) const;
+
+    /** Power (W) that the viscosity dissipates. Collective. */
+    double
+    viscous_power(const double *V) const;
+
+    /** Kinetic energy of the whole solid (J); the same on every rank. */
+    double
+    kinetic_energy(const double *V) const;
+
+    /**
+     * For every cell, on every rank: von Mises norm of the elastic Cauchy
+     * stress (Pa), largest logarithmic strain and ratio of volumes, both
+     * relative to the mesh (without prestretch). Collective.
+     */
+    void
+    cell_results(const double *X,
+                 std::vector<double> &von_mises_cauchy,
+                 std::vector<double> &max_log_strain,
+                 std::vector<double> &jacobian) const;
+
+    /** Reference volume of every cell (m^3, in 2D m^2). */
+    const std::vector<double> &
+    cell_volumes() const;
+
+    /** Numbers of the cells that this rank evaluates. */
+    const std::vector<unsigned int> &
+    owned_cells() const;
+
+  private:
+    /** Calls @p f with the material, as its own type. */
+    template <typename Function>
+    void
+    with_material(const Function &f) const;
+
+    /** Largest stiffness over mass of the batches of this rank. */
+    template <typename Material>
+    StepBound
+    local_step_bound(const Material &material, const double *X) const;
+
+    MPI_Comm communicator;
+    double density, viscosity;
+    double viscous_rate;
+    std::variant<HolzapfelGasserOgden, Ogden, NeoHookean> material;
+    std::vector<double> volumes, nodal_mass;
+    std::vector<unsigned int> cells;
+    std::vector<dealii::Tensor<2, dim>> prestretch;
+    std::vector<CellBatch<dim>> batches;
+  };
+} // namespace coapt
+
+#endif

@@ -1,0 +1,49 @@
+#include <coapt/base/exceptions.h>
+#include <coapt/solid/materials/neo_hookean.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <sstream>
+
+namespace coapt
+{
+  void
+  NeoHookean::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    const NeoHookean defaults;
+    prm.enter_subsection("Neo-Hookean");
+    prm.declare_entry("Shear modulus",
+                      std::to_string(defaults.mu),
+                      dealii::Patterns::Double(1e-3, 1e12),
+                      "Initial shear modulus mu (Pa).");
+    prm.declare_entry("First Lame parameter",
+                      std::to_string(defaults.lambda),
+                      dealii::Patterns::Double(0, 1e14),
+                      "Lambda (Pa): the initial bulk modulus is lambda + "
+                      "2/3 mu.");
+    prm.leave_subsection();
+  }
+
+  void
+  NeoHookean::parse_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Neo-Hookean");
+    mu     = prm.get_double("Shear modulus");
+    lambda = prm.get_double("First Lame parameter");
+    prm.leave_subsection();
+    check();
+  }
+
+  void
+  NeoHookean::check() const
+  {
+    if (mu > 0 && lambda >= 0)
+      return;
+    std::ostringstream message;
+    message << "Material neo-Hookean: mu is " << mu << " Pa and lambda "
+            << lambda
+            << " Pa, mu must be positive and lambda not negative (subsection "
+               "Solid/Neo-Hookean).";
+    throw InputError(message.str());
+  }
+} // namespace coapt
