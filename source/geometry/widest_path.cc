@@ -16,28 +16,61 @@ namespace coapt
   {
     constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
 
-    struct Sheet
+    struct Triangle
     {
-      const std::vector<Point<3>> &points;
-      const std::vector<std::array<unsigned int, 3>> &triangles;
+      Point<3> corners[3];
+      Tensor<1, 3> normal; // of unit length; zero if degenerate
 
-      /** Vector from the nearest point of triangle @p k to @p p. */
+      /** A lower bound of the distance from @p p. */
+      double
+      least_distance(const Point<3> &p) const
+      {
+        return std::abs(normal * (p - corners[0]));
+      }
+
+      /** Vector to @p p from the nearest point. */
       Tensor<1, 3>
-      from_triangle(const unsigned int k, const Point<3> &p) const
+      vector_to(const Point<3> &p) const
       {
         double weights[3];
-        const auto &t = triangles[k];
         return p -
           closest_point_on_triangle(
-                 p, points[t[0]], points[t[1]], points[t[2]], weights);
+                 p, corners[0], corners[1], corners[2], weights);
+      }
+
+      /** Whether all of it lies where @p towards comes from, seen from @p p:
+       * then it is not opposite to what is there. */
+      bool
+      on_same_side(const Point<3> &p, const Tensor<1, 3> &towards) const
+      {
+        return towards * (p - corners[0]) >= 0 &&
+          towards * (p - corners[1]) >= 0 && towards * (p - corners[2]) >= 0;
       }
     };
+
+    std::vector<Triangle>
+    make_triangles(const std::vector<Point<3>> &points,
+                   const std::vector<std::array<unsigned int, 3>> &triangles)
+    {
+      std::vector<Triangle> result;
+      for (const auto &t : triangles)
+        {
+          Triangle triangle{{points[t[0]], points[t[1]], points[t[2]]}, {}};
+          triangle.normal   = cross_product_3d(points[t[1]] - points[t[0]],
+                                             points[t[2]] - points[t[0]]);
+          const double norm = triangle.normal.norm();
+          if (norm > 0)
+            triangle.normal /= norm;
+          result.push_back(triangle);
+        }
+      return result;
+    }
 
     /** A regular grid of points and the distances of each from the sheet. */
     class DistanceGrid
     {
     public:
-      DistanceGrid(const Sheet &sheet,
+      DistanceGrid(const std::vector<Triangle> &sheet,
                    const Point<3> &lower,
                    const Point<3> &upper,
                    const double spacing,
@@ -48,7 +81,7 @@ namespace coapt
           size[d] = 1 +
             static_cast<int>(std::ceil((upper[d] - lower[d]) / spacing - 1e-9));
         nearest.resize(std::size_t(size[0]) * size[1] * size[2], band);
-        triangle.resize(nearest.size(), none);
+        slot.resize(nearest.size(), none);
         opposite = nearest;
         find_nearest();
         find_opposite();
@@ -80,54 +113,63 @@ namespace coapt
       bool
       far(const std::size_t n) const
       {
-        return triangle[n] == none;
+        return slot[n] == none;
       }
 
       int size[3];
 
     private:
-      /** Calls @p action(n, k, vector from triangle k to point n) for all
-       * points in the band around each triangle. */
+      /** Calls @p action(n, point n, triangle) for all points in the box
+       * around the band of each triangle. */
       template <typename Action>
       void
-      for_each_near_pair(const Action &action)
+      for_each_near_pair(const Action &action) const
       {
-        for (unsigned int k = 0; k < sheet.triangles.size(); ++k)
+        for (const Triangle &triangle : sheet)
           {
             int first[3], last[3];
             for (unsigned int d = 0; d < 3; ++d)
               {
-                double least = std::numeric_limits<double>::max();
-                double most  = -least;
-                for (const unsigned int v : sheet.triangles[k])
-                  {
-                    least = std::min(least, sheet.points[v][d]);
-                    most  = std::max(most, sheet.points[v][d]);
-                  }
-                first[d] =
-                  std::max<int>(0,
-                                std::ceil((least - band - lower[d]) / spacing));
+                const auto bounds = std::minmax({triangle.corners[0][d],
+                                                 triangle.corners[1][d],
+                                                 triangle.corners[2][d]});
+                first[d]          = std::max<int>(
+                  0, std::ceil((bounds.first - band - lower[d]) / spacing));
                 last[d] =
                   std::min<int>(size[d] - 1,
-                                std::floor((most + band - lower[d]) / spacing));
+                                std::floor((bounds.second + band - lower[d]) /
+                                           spacing));
               }
             for (int i = first[0]; i <= last[0]; ++i)
               for (int j = first[1]; j <= last[1]; ++j)
                 for (int l = first[2]; l <= last[2]; ++l)
-                  action((std::size_t(i) * size[1] + j) * size[2] + l, k);
+                  action((std::size_t(i) * size[1] + j) * size[2] + l,
+                         lower +
+                           spacing *
+                             Tensor<1, 3>({double(i), double(j), double(l)}),
+                         triangle);
           }
       }
 
       void
       find_nearest()
       {
-        for_each_near_pair([&](const std::size_t n, const unsigned int k) {
-          const float distance = sheet.from_triangle(k, point(n)).norm();
-          if (distance < nearest[n])
+        for_each_near_pair([&](const std::size_t n,
+                               const Point<3> &p,
+                               const Triangle &triangle) {
+          if (triangle.least_distance(p) >= nearest[n])
+            return;
+          const Tensor<1, 3> vector = triangle.vector_to(p);
+          const float distance      = vector.norm();
+          if (distance >= nearest[n])
+            return;
+          nearest[n] = distance;
+          if (slot[n] == none)
             {
-              nearest[n]  = distance;
-              triangle[n] = k;
+              slot[n] = towards.size();
+              towards.emplace_back();
             }
+          towards[slot[n]] = vector;
         });
       }
 
@@ -135,24 +177,28 @@ namespace coapt
       void
       find_opposite()
       {
-        for_each_near_pair([&](const std::size_t n, const unsigned int k) {
-          if (triangle[n] == none)
+        for_each_near_pair([&](const std::size_t n,
+                               const Point<3> &p,
+                               const Triangle &triangle) {
+          if (slot[n] == none || triangle.least_distance(p) >= opposite[n] ||
+              triangle.on_same_side(p, towards[slot[n]]))
             return;
-          const Point<3> p           = point(n);
-          const Tensor<1, 3> towards = sheet.from_triangle(triangle[n], p);
-          const Tensor<1, 3> other   = sheet.from_triangle(k, p);
-          const float distance       = other.norm();
-          if (distance < opposite[n] && towards * other < 0)
+          const Tensor<1, 3> vector = triangle.vector_to(p);
+          const float distance      = vector.norm();
+          if (distance < opposite[n] && towards[slot[n]] * vector < 0)
             opposite[n] = distance;
         });
       }
 
-      const Sheet sheet;
+      const std::vector<Triangle> sheet;
       const Point<3> lower;
       const double spacing;
       const float band;
       std::vector<float> nearest, opposite;
-      std::vector<unsigned int> triangle;
+
+      // of points in the band: vector from the nearest point of the sheet
+      std::vector<unsigned int> slot;
+      std::vector<Tensor<1, 3>> towards;
     };
 
     /** The flood: what is far from the sheet comes first, without order. */
@@ -220,7 +266,8 @@ namespace coapt
                          "spacing of positive size.");
     const double step = std::min(spacing, 0.3 * thickness);
     const double band = (thickness + largest_width) / 2;
-    const DistanceGrid grid(Sheet{points, triangles}, lower, upper, step, band);
+    const DistanceGrid grid(
+      make_triangles(points, triangles), lower, upper, step, band);
     const std::size_t strides[3] = {std::size_t(grid.size[1]) * grid.size[2],
                                     std::size_t(grid.size[2]),
                                     1};
@@ -246,7 +293,7 @@ namespace coapt
     while (!front.empty())
       {
         const std::size_t n = front.pop();
-        if (grid.far(n) == false && grid.clearance(n) < tightest)
+        if (!grid.far(n) && grid.clearance(n) < tightest)
           {
             tightest = grid.clearance(n);
             place    = n;
