@@ -8,7 +8,8 @@ namespace coapt
 {
   namespace
   {
-    bool first_rank(const MPI_Comm communicator)
+    bool
+    first_rank(const MPI_Comm communicator)
     {
       int rank;
       MPI_Comm_rank(communicator, &rank);
@@ -29,7 +30,8 @@ namespace coapt
 
 
 
-  void Log::open(const std::string &name)
+  void
+  Log::open(const std::string &name)
   {
     if (!is_first_rank)
       return;
@@ -42,7 +44,8 @@ namespace coapt
 
 
 
-  void Log::line(const std::string &text)
+  void
+  Log::line(const std::string &text)
   {
     if (!is_first_rank)
       return;
@@ -52,7 +55,8 @@ namespace coapt
 
 
 
-  void Log::file_line(const std::string &text)
+  void
+  Log::file_line(const std::string &text)
   {
     if (!is_first_rank)
       return;
@@ -64,7 +68,8 @@ namespace coapt
 
 
 
-  void Log::warn(const std::string &key, const std::string &text)
+  void
+  Log::warn(const std::string &key, const std::string &text)
   {
     if (!is_first_rank)
       return;

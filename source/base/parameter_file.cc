@@ -17,7 +17,8 @@ namespace coapt
   namespace
   {
     /** The reason that a deal.II exception gives, on one line. */
-    std::string reason(const ExceptionBase &exception)
+    std::string
+    reason(const ExceptionBase &exception)
     {
       std::ostringstream text;
       exception.print_info(text);
@@ -29,7 +30,8 @@ namespace coapt
     }
 
     /** Single-letter edits from @p a to @p b (Levenshtein 1966). */
-    unsigned int edit_distance(const std::string &a, const std::string &b)
+    unsigned int
+    edit_distance(const std::string &a, const std::string &b)
     {
       std::vector<unsigned int> row(b.size() + 1);
       std::iota(row.begin(), row.end(), 0u);
@@ -49,8 +51,8 @@ namespace coapt
     }
 
     /** " Did you mean ...?" for the declared name nearest to @p wanted. */
-    std::string suggestion(const ParameterHandler &prm,
-                           const std::string &wanted)
+    std::string
+    suggestion(const ParameterHandler &prm, const std::string &wanted)
     {
       std::stringstream text;
       prm.print_parameters(text, ParameterHandler::ShortText);
@@ -72,7 +74,7 @@ namespace coapt
               nearest = name;
             }
         }
-      return nearest.empty() ? "" : " Did you mean '" + nearest + "'?";
+      return nearest.empty() ? "" : " (did you mean '" + nearest + "'?)";
     }
 
     /** The entry or subsection that @p message finds undeclared, if any. */
@@ -88,7 +90,8 @@ namespace coapt
     }
   } // namespace
 
-  void read_parameter_file(ParameterHandler &prm, const std::string &file)
+  void
+  read_parameter_file(ParameterHandler &prm, const std::string &file)
   {
     std::ifstream stream(file);
     if (!stream)

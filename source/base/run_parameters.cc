@@ -7,7 +7,8 @@ namespace coapt
 {
   using namespace dealii;
 
-  void RunParameters::declare_parameters(ParameterHandler &prm)
+  void
+  RunParameters::declare_parameters(ParameterHandler &prm)
   {
     const RunParameters defaults;
     // times have to be positive; the pattern's bounds are inclusive
@@ -46,7 +47,8 @@ namespace coapt
 
 
 
-  void RunParameters::parse_parameters(ParameterHandler &prm)
+  void
+  RunParameters::parse_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Time");
     end_time = prm.get_double("End time");

@@ -1,10 +1,12 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/base/time_table.h>
 #include <coapt/base/units.h>
+#include <coapt/base/version.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -12,7 +14,8 @@ namespace coapt
 {
   namespace
   {
-    std::string trim(const std::string &text)
+    std::string
+    trim(const std::string &text)
     {
       const auto first = text.find_first_not_of(" \t\r\n\"");
       if (first == std::string::npos)
@@ -20,8 +23,8 @@ namespace coapt
       return text.substr(first, text.find_last_not_of(" \t\r\n\"") - first + 1);
     }
 
-    std::vector<std::string> split(const std::string &text,
-                                   const char separator)
+    std::vector<std::string>
+    split(const std::string &text, const char separator)
     {
       std::vector<std::string> parts;
       std::istringstream stream(text);
@@ -33,14 +36,16 @@ namespace coapt
     }
 
     /** Whether all of @p text is one number, which goes to @p number. */
-    bool is_number(const std::string &text, double &number)
+    bool
+    is_number(const std::string &text, double &number)
     {
       char *end = nullptr;
       number    = std::strtod(text.c_str(), &end);
       return !text.empty() && *end == '\0';
     }
 
-    double parse_number(const std::string &text, const std::string &where)
+    double
+    parse_number(const std::string &text, const std::string &where)
     {
       double number;
       if (!is_number(text, number))
@@ -51,7 +56,8 @@ namespace coapt
     }
 
     /** Factor from @p unit to SI. */
-    double unit_factor(const std::string &unit, const std::string &where)
+    double
+    unit_factor(const std::string &unit, const std::string &where)
     {
       if (unit == "Pa")
         return 1.;
@@ -64,7 +70,8 @@ namespace coapt
     }
 
     /** The letters that end a column's name: mmHg of `pressure_mmHg`. */
-    std::string unit_of_column(const std::string &name)
+    std::string
+    unit_of_column(const std::string &name)
     {
       const auto letter = [](const char c) { return std::isalpha(c) != 0; };
       const auto last   = std::find_if(name.rbegin(), name.rend(), letter);
@@ -73,9 +80,10 @@ namespace coapt
     }
 
     /** Unit by header and by parameter, which must not contradict. */
-    double agreed_unit(const std::string &in_header,
-                       const std::string &wanted,
-                       const std::string &where)
+    double
+    agreed_unit(const std::string &in_header,
+                const std::string &wanted,
+                const std::string &where)
     {
       if (wanted == "from file")
         {
@@ -94,10 +102,11 @@ namespace coapt
     }
 
     /** Slope at the end of a monotone cubic from the two nearest intervals. */
-    double end_slope(const double h0,
-                     const double h1,
-                     const double d0,
-                     const double d1)
+    double
+    end_slope(const double h0,
+              const double h1,
+              const double d0,
+              const double d1)
     {
       const double slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
       if (slope * d0 <= 0)
@@ -137,8 +146,8 @@ namespace coapt
 
 
 
-  TimeTable TimeTable::from_file(const std::string &file,
-                                 const std::string &unit)
+  TimeTable
+  TimeTable::from_file(const std::string &file, const std::string &unit)
   {
     std::ifstream stream(file);
     if (!stream)
@@ -187,8 +196,8 @@ namespace coapt
 
 
 
-  TimeTable TimeTable::from_list(const std::string &list,
-                                 const std::string &unit)
+  TimeTable
+  TimeTable::from_list(const std::string &list, const std::string &unit)
   {
     const std::string where = "'" + list + "'";
     const double factor     = unit_factor(unit, where);
@@ -206,14 +215,16 @@ namespace coapt
 
 
 
-  std::string TimeTable::unit_names()
+  std::string
+  TimeTable::unit_names()
   {
     return "from file|Pa|kPa|mmHg";
   }
 
 
 
-  void TimeTable::compute_slopes()
+  void
+  TimeTable::compute_slopes()
   {
     const std::size_t n = times.size();
     std::vector<double> h(n - 1), d(n - 1);
@@ -239,7 +250,8 @@ namespace coapt
 
 
 
-  double TimeTable::value(const double time) const
+  double
+  TimeTable::value(const double time) const
   {
     if (time <= times.front())
       return values.front();
@@ -256,26 +268,28 @@ namespace coapt
 
 
 
-  double TimeTable::max_value() const
+  double
+  TimeTable::max_value() const
   {
     return *std::max_element(values.begin(), values.end());
   }
 
 
 
-  double TimeTable::min_value() const
+  double
+  TimeTable::min_value() const
   {
     return *std::min_element(values.begin(), values.end());
   }
 
 
 
-  std::string find_input_file(const std::string &name,
-                              const std::string &folder)
+  std::string
+  find_input_file(const std::string &name, const std::string &folder)
   {
-    if (name.empty() || name.front() == '/' || folder.empty())
-      return name;
-    const std::string beside = folder + "/" + name;
-    return std::ifstream(beside) ? beside : name;
+    for (const std::string &place : {folder, parameter_files_folder()})
+      if (!place.empty() && std::filesystem::exists(place + "/" + name))
+        return place + "/" + name;
+    return name;
   }
 } // namespace coapt

@@ -12,7 +12,8 @@ namespace coapt
 
 
 
-  unsigned int Timing::section(const std::string &name)
+  unsigned int
+  Timing::section(const std::string &name)
   {
     for (unsigned int id = 0; id < sections.size(); ++id)
       if (sections[id].name == name)
@@ -23,14 +24,16 @@ namespace coapt
 
 
 
-  double Timing::wall_time() const
+  double
+  Timing::wall_time() const
   {
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
 
 
-  std::string Timing::summary(const MPI_Comm communicator) const
+  std::string
+  Timing::summary(const MPI_Comm communicator) const
   {
     int rank, n_ranks;
     MPI_Comm_rank(communicator, &rank);

@@ -35,22 +35,27 @@ namespace coapt
      *
      * @throws InputError if the file cannot be written.
      */
-    void open(const std::string &file);
+    void
+    open(const std::string &file);
 
     /** Writes a line to the terminal and the file. */
-    void line(const std::string &text);
+    void
+    line(const std::string &text);
 
     /** Writes a line to the file only. */
-    void file_line(const std::string &text);
+    void
+    file_line(const std::string &text);
 
     /**
      * Raises the warning @p key. Only the first rank's calls count: what one
      * rank alone sees must be reduced before. The first call writes a line.
      */
-    void warn(const std::string &key, const std::string &text);
+    void
+    warn(const std::string &key, const std::string &text);
 
     /** All warnings in the order in which they were first raised. */
-    const std::vector<Warning> &warnings() const
+    const std::vector<Warning> &
+    warnings() const
     {
       return all_warnings;
     }

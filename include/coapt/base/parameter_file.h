@@ -17,8 +17,8 @@ namespace coapt
    * cannot be read, an entry or subsection is unknown (with the declared name
    * that comes nearest), or a value does not fit its pattern.
    */
-  void read_parameter_file(dealii::ParameterHandler &prm,
-                           const std::string &file);
+  void
+  read_parameter_file(dealii::ParameterHandler &prm, const std::string &file);
 } // namespace coapt
 
 #endif

@@ -29,14 +29,16 @@ namespace coapt
     bool overwrite = false;
 
     /** Declares all parameters with their defaults. */
-    static void declare_parameters(dealii::ParameterHandler &prm);
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
 
     /**
      * Reads the declared parameters.
      *
      * @throws InputError if an interval exceeds what can be resolved.
      */
-    void parse_parameters(dealii::ParameterHandler &prm);
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
   };
 } // namespace coapt
 

@@ -39,42 +39,49 @@ namespace coapt
      * empty or truncated, holds something else than finite numbers, if times do
      * not increase, or if the unit is missing, unknown or contradicted.
      */
-    static TimeTable from_file(const std::string &file,
-                               const std::string &unit = "from file");
+    static TimeTable
+    from_file(const std::string &file, const std::string &unit = "from file");
 
     /**
      * From one line such as `0:0.1, 0.01:17.5` (time in s : value in @p unit).
      *
      * @throws InputError as from_file().
      */
-    static TimeTable from_list(const std::string &list,
-                               const std::string &unit = "Pa");
+    static TimeTable
+    from_list(const std::string &list, const std::string &unit = "Pa");
 
     /** Units that from_file() understands, as a deal.II Selection pattern. */
-    static std::string unit_names();
+    static std::string
+    unit_names();
 
     /** The value at @p time (s), in SI. */
-    double value(const double time) const;
+    double
+    value(const double time) const;
 
     /** Same as value(). */
-    double operator()(const double time) const
+    double
+    operator()(const double time) const
     {
       return value(time);
     }
 
     /** Time of the last row (s). */
-    double last_time() const
+    double
+    last_time() const
     {
       return times.back();
     }
 
     /** Largest and smallest row value; nothing between exceeds them. */
-    double max_value() const;
-    double min_value() const;
+    double
+    max_value() const;
+    double
+    min_value() const;
 
   private:
     /** Slopes of the monotone cubic at the rows. */
-    void compute_slopes();
+    void
+    compute_slopes();
 
     std::vector<double> times;
     std::vector<double> values;
@@ -83,11 +90,12 @@ namespace coapt
 
   /**
    * Where the file @p name is that a parameter file in the folder @p folder
-   * speaks of: names are relative to the parameter file; if nothing is there,
-   * to the current folder.
+   * speaks of: relative to the parameter file or, if nothing is there, to the
+   * parameter files that come with the program; otherwise as it stands, that
+   * is absolute or relative to the current folder.
    */
-  std::string find_input_file(const std::string &name,
-                              const std::string &folder);
+  std::string
+  find_input_file(const std::string &name, const std::string &folder);
 } // namespace coapt
 
 #endif

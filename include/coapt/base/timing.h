@@ -38,8 +38,9 @@ namespace coapt
       {
         timing.leave();
       }
-      Scope(const Scope &)            = delete;
-      Scope &operator=(const Scope &) = delete;
+      Scope(const Scope &) = delete;
+      Scope &
+      operator=(const Scope &) = delete;
 
     private:
       Timing &timing;
@@ -52,29 +53,34 @@ namespace coapt
      * Number of the section @p name, new or known. All ranks must name the
      * same sections in the same order.
      */
-    unsigned int section(const std::string &name);
+    unsigned int
+    section(const std::string &name);
 
     /** Counts for the section with number @p id while the result lives. */
-    Scope scope(const unsigned int id)
+    Scope
+    scope(const unsigned int id)
     {
       return Scope(*this, id);
     }
 
     /** Own time of a section on this rank (s), without the running scope. */
-    double seconds(const unsigned int id) const
+    double
+    seconds(const unsigned int id) const
     {
       return sections[id].time;
     }
 
     /** Wall time since construction (s). */
-    double wall_time() const;
+    double
+    wall_time() const;
 
     /**
      * A table with a line a section: calls, time as least, mean and largest
      * over the ranks (s), and the share of the total. The result is complete
      * on the first rank and empty elsewhere. Collective.
      */
-    std::string summary(const MPI_Comm communicator) const;
+    std::string
+    summary(const MPI_Comm communicator) const;
 
   private:
     struct Section
@@ -84,21 +90,24 @@ namespace coapt
       unsigned long calls = 0;
     };
 
-    void enter(const unsigned int id)
+    void
+    enter(const unsigned int id)
     {
       charge_running_section();
       ++sections[id].calls;
       running.push_back(id);
     }
 
-    void leave()
+    void
+    leave()
     {
       charge_running_section();
       running.pop_back();
     }
 
     /** Gives the time since the last look at the clock to who was running. */
-    void charge_running_section()
+    void
+    charge_running_section()
     {
       const Clock::time_point now = Clock::now();
       if (!running.empty())
