@@ -1,4 +1,4 @@
-#include <coapt/base/exceptions.h>
+#include <coapt/base/first_rank.h>
 #include <coapt/base/log.h>
 
 #include <algorithm>
@@ -6,17 +6,6 @@
 
 namespace coapt
 {
-  namespace
-  {
-    bool
-    first_rank(const MPI_Comm communicator)
-    {
-      int rank;
-      MPI_Comm_rank(communicator, &rank);
-      return rank == 0;
-    }
-  } // namespace
-
   Log::Log(const MPI_Comm communicator) : Log(communicator, std::cout)
   {
   }
@@ -24,7 +13,7 @@ namespace coapt
 
 
   Log::Log(const MPI_Comm communicator, std::ostream &terminal)
-    : is_first_rank(first_rank(communicator)), terminal(terminal)
+    : is_first_rank(coapt::is_first_rank(communicator)), terminal(terminal)
   {
   }
 

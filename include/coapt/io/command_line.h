@@ -1,0 +1,48 @@
+#ifndef coapt_io_command_line_h
+#define coapt_io_command_line_h
+
+#include <string>
+
+namespace coapt
+{
+  /** What the program's exit code means. */
+  enum ExitCode : int
+  {
+    success           = 0,
+    numerical_failure = 1,
+    bad_input         = 2
+  };
+
+  /** What the user asks for on the command line. */
+  struct CommandLine
+  {
+    enum class Action
+    {
+      run,
+      check,
+      write_defaults,
+      version,
+      help
+    };
+
+    Action action = Action::help;
+
+    /** The parameter file, for run and check. */
+    std::string file;
+
+    /**
+     * Reads the arguments of main().
+     *
+     * @throws InputError for an unknown option, and if the parameter file is
+     * missing or there is more than one.
+     */
+    static CommandLine
+    parse(const int argc, const char *const *argv);
+
+    /** How to call the program, some lines. */
+    static std::string
+    usage();
+  };
+} // namespace coapt
+
+#endif

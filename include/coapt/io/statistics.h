@@ -1,0 +1,44 @@
+#ifndef coapt_io_statistics_h
+#define coapt_io_statistics_h
+
+#include <mpi.h>
+
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * A table over time: one header line, then one row an output interval, with
+   * comma-separated numbers of twelve digits. The first rank writes each row
+   * to the disk at once, so that an interrupted run keeps what it has.
+   */
+  class Statistics
+  {
+  public:
+    /** A name with its unit, such as `flow_mL_per_s`, and the value. */
+    using Entry = std::pair<std::string, double>;
+
+    /**
+     * Starts the table in @p file.
+     *
+     * @throws InputError on the first rank if it cannot be written.
+     */
+    Statistics(const std::string &file, const MPI_Comm communicator);
+
+    /** Writes a row; the first one gives the header. All rows must have the
+     * same names in the same order (std::logic_error otherwise). */
+    void
+    write_row(const std::vector<Entry> &row);
+
+  private:
+    const std::string file;
+    const bool is_first_rank;
+    std::ofstream stream;
+    std::vector<std::string> names;
+  };
+} // namespace coapt
+
+#endif

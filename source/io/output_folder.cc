@@ -1,0 +1,101 @@
+#include <deal.II/base/parameter_handler.h>
+
+#include <coapt/base/first_rank.h>
+#include <coapt/io/output_folder.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+namespace coapt
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    // what a run leaves in its folder, beside the fields
+    const std::array<const char *, 5> result_files = {
+      {"coapt.log",
+       "statistics.csv",
+       "summary.json",
+       "parameters.prm",
+       "parameters-as-read.prm"}};
+
+    /** Why results cannot go to @p path, empty if they can. */
+    std::string
+    objection(const std::string &path, const bool overwrite)
+    {
+      std::error_code code;
+      if (!fs::exists(path, code))
+        return "";
+      if (!fs::is_directory(path, code))
+        return "output folder '" + path + "' is not a folder";
+      if (!overwrite)
+        for (const std::string name : result_files)
+          if (fs::exists(path + "/" + name, code))
+            return "output folder '" + path + "' holds another run (" + name +
+              "); choose another Output/Folder or set Output/Overwrite "
+              "to true";
+      return "";
+    }
+
+    void
+    remove_earlier_results(const std::string &path)
+    {
+      for (const std::string name : result_files)
+        fs::remove(path + "/" + name);
+      for (const auto &entry : fs::directory_iterator(path + "/fields"))
+        {
+          const auto extension = entry.path().extension();
+          if (extension == ".vtu" || extension == ".pvtu" ||
+              extension == ".pvd")
+            fs::remove(entry.path());
+        }
+    }
+  } // namespace
+
+  OutputFolder::OutputFolder(const std::string &path,
+                             const bool overwrite,
+                             const MPI_Comm communicator)
+    : path(path), communicator(communicator)
+  {
+    on_first_rank(communicator, [&] { return objection(path, overwrite); });
+  }
+
+
+
+  void
+  OutputFolder::create() const
+  {
+    on_first_rank(communicator, [&]() -> std::string {
+      try
+        {
+          fs::create_directories(path + "/fields");
+          remove_earlier_results(path);
+        }
+      catch (const fs::filesystem_error &error)
+        {
+          return "output folder '" + path +
+            "' cannot be prepared: " + error.code().message();
+        }
+      return "";
+    });
+  }
+
+
+
+  void
+  OutputFolder::write_parameters(const dealii::ParameterHandler &prm,
+                                 const std::string &source) const
+  {
+    on_first_rank(communicator, [&]() -> std::string {
+      std::ofstream copy(file("parameters-as-read.prm"));
+      copy << std::ifstream(source).rdbuf() << std::flush;
+      std::ofstream all(file("parameters.prm"));
+      prm.print_parameters(all, dealii::ParameterHandler::PRM);
+      if (copy && all)
+        return "";
+      return "the parameters cannot be written to '" + path + "'";
+    });
+  }
+} // namespace coapt
