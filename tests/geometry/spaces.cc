@@ -222,6 +222,9 @@ test_leaflet_lattice()
         moment.distance(exact) / volume);
 
   // layers, and neighbours in a layer: k fastest, then j, then i
+  std::vector<Point<3>> positions;
+  for (const auto &sample : samples)
+    positions.push_back(position(leaflet.mesh, sample));
   std::vector<double> depths;
   double farthest = 0, edge = 0;
   for (std::size_t s = 0; s < samples.size(); ++s)
@@ -234,9 +237,7 @@ test_leaflet_lattice()
            r < std::min(samples.size(), s + 400);
            ++r)
         if (r != s && samples[r].depth == samples[s].depth)
-          least = std::min(least,
-                           position(leaflet.mesh, samples[r])
-                             .distance(position(leaflet.mesh, samples[s])));
+          least = std::min(least, positions[r].distance(positions[s]));
       farthest = std::max(farthest, least);
     }
   check("leaflet: three layers", depths.size() == 3, depths.size());

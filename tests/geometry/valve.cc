@@ -366,6 +366,26 @@ test_input()
         refused(entry("Chordae", "Papillary tip", "11, -5")));
   check("unknown hold refused", refused(entry("Valve", "Annulus", "glue")));
 
+  check("leaflet through itself refused",
+        refused(entry("Valve", "Anterior height", "60")));
+  ValveParameters wrong;
+  wrong.removed_chordae = {"R-P9"};
+  std::string message;
+  try
+    {
+      const Leaflet leaflet = generate_leaflet(wrong);
+      generate_chordae(wrong, leaflet, nodal_mass(leaflet.mesh));
+    }
+  catch (const InputError &error)
+    {
+      message = error.what();
+    }
+  check("message names the chorda, the valid ones and the parameter",
+        message.find("R-P9") != std::string::npos &&
+          message.find("L-S3") != std::string::npos &&
+          message.find("Removed chordae") != std::string::npos &&
+          message.find('\n') == std::string::npos);
+
   ParameterHandler prm;
   ValveParameters::declare_parameters(prm);
   ValveParameters parsed;
