@@ -1,0 +1,253 @@
+// Contact of sheets: conservation, Coulomb's law, bouncing.
+
+#include <coapt/contact/mid_surface_contact.h>
+
+#include "sheets.h"
+#include "tests.h"
+
+using namespace coapt;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  double
+  noise()
+  {
+    return std::rand() / (0.5 * RAND_MAX) - 1;
+  }
+
+  /** Momentum and angular momentum (about the origin), summed by node. */
+  std::array<Tensor<1, 3>, 2>
+  momenta(const Sheets &sheets)
+  {
+    std::array<Tensor<1, 3>, 2> sums;
+    for (unsigned int n = 0; n < sheets.mass.size(); ++n)
+      {
+        const Point<3> x(sheets.X[3 * n],
+                         sheets.X[3 * n + 1],
+                         sheets.X[3 * n + 2]);
+        const Point<3> v(sheets.V[3 * n],
+                         sheets.V[3 * n + 1],
+                         sheets.V[3 * n + 2]);
+        sums[0] += sheets.mass[n] * v;
+        sums[1] += sheets.mass[n] * cross_product_3d(x, v);
+      }
+    return sums;
+  }
+
+  // Two wavy strips of different meshes that are pressed into each other at
+  // random velocities.
+  void
+  conservation()
+  {
+    for (const double friction : {0., 0.3})
+      {
+        Sheets sheets;
+        for (const double side : {-1., 1.})
+          sheets.add(
+            {{side > 0 ? 9u : 6u, side > 0 ? 7u : 5u}},
+            [=](const double a, const double b, const double t) {
+              return Point<3>(8e-3 * a,
+                              6e-3 * b + 1e-4 * side,
+                              0.45e-3 * side + 1e-4 * std::sin(9 * a + 5 * b) +
+                                t);
+            },
+            48e-6,
+            false);
+        // Far apart in the reference, so that they are no neighbours.
+        Sheets reference = sheets;
+        for (unsigned int n = 0; n < reference.mass.size() / 2; ++n)
+          reference.leaflet.mesh.points[n][2] -= 0.1;
+        for (double &v : sheets.V)
+          v = 0.1 * noise();
+
+        ContactParameters parameters;
+        parameters.clearance = 0;
+        parameters.friction  = friction;
+        MidSurfaceContact contact(reference.leaflet,
+                                  sheets.mass,
+                                  Sheets::density,
+                                  parameters,
+                                  MPI_COMM_WORLD);
+        const auto before   = momenta(sheets);
+        const double energy = sheets.kinetic_energy();
+        const double dt     = 5e-6;
+        const auto result =
+          contact.apply_impulse(sheets.X.data(), sheets.V.data(), dt);
+        const auto after       = momenta(sheets);
+        const double impulse   = dt * result.normal_force;
+        const std::string name = friction > 0 ? " with friction" : "";
+
+        check("strips touch" + name, result.pairs > 50, result.pairs);
+        check("action = reaction" + name,
+              (after[0] - before[0]).norm() < 1e-12 * impulse,
+              (after[0] - before[0]).norm() / impulse);
+        if (friction == 0)
+          check("moments balance",
+                (after[1] - before[1]).norm() < 1e-12 * impulse * 8e-3,
+                (after[1] - before[1]).norm() / impulse);
+        check_relative("work = change of kinetic energy" + name,
+                       dt * (result.normal_power + result.friction_power),
+                       sheets.kinetic_energy() - energy,
+                       1e-9);
+        check("friction dissipates" + name,
+              friction > 0 ? result.friction_power < 0
+                           : result.friction_power == 0,
+              result.friction_power);
+      }
+  }
+
+  // A block on a pinned plane, gravity tilted by the angle: it rests below
+  // tan(angle) = mu, and slides with g (sin - mu cos) above.
+  double
+  slide(const double angle, const double duration)
+  {
+    Sheets sheets;
+    sheets.add_rectangle({{30, 12}},
+                         Point<3>(-15e-3, -6e-3, 0),
+                         {{30e-3, 12e-3}},
+                         true);
+    sheets.add_rectangle({{7, 5}},
+                         Point<3>(-6e-3, -2e-3, 5e-3),
+                         {{6e-3, 4e-3}},
+                         false);
+    ContactParameters parameters;
+    parameters.clearance     = 0.1e-3;
+    parameters.friction      = 0.2;
+    parameters.max_stiffness = 1e8;
+    MidSurfaceContact contact(
+      sheets.leaflet, sheets.mass, Sheets::density, parameters, MPI_COMM_WORLD);
+
+    // From the depth of equilibrium on, so that it neither falls nor jumps.
+    const double g     = 100;
+    const double depth = Sheets::density * Sheets::thickness * g *
+      std::cos(angle) / parameters.max_stiffness;
+    for (unsigned int n = 0; n < sheets.mass.size(); ++n)
+      if (!sheets.leaflet.pinned[n])
+        sheets.X[3 * n + 2] += 1.1e-3 - depth - 5e-3;
+
+    const double dt            = 20e-6;
+    const unsigned int n_steps = std::lround(duration / dt);
+    for (unsigned int step = 0; step < n_steps; ++step)
+      {
+        for (unsigned int n = 0; n < sheets.mass.size(); ++n)
+          if (!sheets.leaflet.pinned[n])
+            {
+              sheets.V[3 * n] += dt * g * std::sin(angle);
+              sheets.V[3 * n + 2] -= dt * g * std::cos(angle);
+            }
+        contact.apply_impulse(sheets.X.data(), sheets.V.data(), dt);
+        sheets.mean_velocity(true);
+        sheets.drift(dt);
+      }
+    for (unsigned int n = 0; n < sheets.mass.size(); ++n)
+      if (sheets.leaflet.pinned[n])
+        for (unsigned int d = 0; d < 3; ++d)
+          if (sheets.V[3 * n + d] != 0)
+            return 1e300;
+    return sheets.mean_velocity(false)[0] / (duration * g);
+  }
+
+  void
+  coulomb()
+  {
+    const double mu = 0.2;
+    for (const double ratio : {0.5, 0.95})
+      {
+        const double a = slide(std::atan(ratio * mu), 4e-3);
+        check("block sticks at tan(angle)/mu = " +
+                std::to_string(ratio).substr(0, 4),
+              std::abs(a) < 1e-3,
+              a);
+      }
+    for (const double ratio : {1.5, 3.})
+      {
+        const double angle = std::atan(ratio * mu);
+        check_relative("block slides at tan(angle)/mu = " +
+                         std::to_string(ratio).substr(0, 4),
+                       slide(angle, 4e-3),
+                       std::sin(angle) - mu * std::cos(angle),
+                       0.01);
+      }
+  }
+
+  /** Speed after over speed before a bounce off a pinned plane. */
+  double
+  restitution(const double damping, const double dt, double &largest_energy)
+  {
+    // Equal elements, and as many nodes of the plane under the block as its
+    // area asks for, so that both passes see the same mass.
+    Sheets sheets;
+    sheets.add_rectangle({{12, 10}},
+                         Point<3>(-5e-3, -4e-3, 0),
+                         {{12e-3, 10e-3}},
+                         true);
+    sheets.add_rectangle({{4, 3}},
+                         Point<3>(0.4e-3, 0.4e-3, 5e-3),
+                         {{4e-3, 3e-3}},
+                         false);
+    ContactParameters parameters;
+    parameters.damping   = damping;
+    parameters.clearance = 0.3e-3;
+    MidSurfaceContact contact(
+      sheets.leaflet, sheets.mass, Sheets::density, parameters, MPI_COMM_WORLD);
+    const double speed = 0.5;
+    for (unsigned int n = 0; n < sheets.mass.size(); ++n)
+      if (!sheets.leaflet.pinned[n])
+        {
+          sheets.X[3 * n + 2] -= 3.6e-3;
+          sheets.V[3 * n + 2] = -speed;
+        }
+    const double energy = sheets.kinetic_energy();
+    largest_energy      = 0;
+    for (double t = 0; t < 2e-3; t += dt)
+      {
+        sheets.drift(dt);
+        contact.apply_impulse(sheets.X.data(), sheets.V.data(), dt);
+        sheets.mean_velocity(true);
+        largest_energy =
+          std::max(largest_energy, sheets.kinetic_energy() / energy);
+      }
+    return sheets.mean_velocity(false)[2] / speed;
+  }
+
+  void
+  bounce()
+  {
+    double energy;
+    for (const double dt : {2e-6, 10e-6, 40e-6, 200e-6})
+      {
+        const std::string step = std::to_string(std::lround(1e6 * dt)) + " us";
+        const double e         = restitution(0.3, dt, energy);
+        check("bounce with damping loses energy, step " + step,
+              energy <= 1 + 1e-12 && e > 0.1 && e < 0.7,
+              e);
+      }
+    check_relative("bounce without damping is elastic",
+                   restitution(0, 2e-6, energy),
+                   1.,
+                   0.01);
+
+    // Release from a linear spring with damping zeta that cannot pull: at the
+    // time of zero force the speed over the initial one is exp(-zeta/w atan2).
+    const double zeta = 0.3, w = std::sqrt(1 - zeta * zeta);
+    const double phase    = std::atan2(2 * zeta * w, 2 * zeta * zeta - 1);
+    const double expected = std::exp(-zeta / w * phase);
+    check_relative("restitution of a damped spring",
+                   restitution(zeta, 1e-6, energy),
+                   expected,
+                   0.02);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  conservation();
+  coulomb();
+  bounce();
+}

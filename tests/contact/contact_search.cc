@@ -1,0 +1,220 @@
+// The search of contact on a folded, moving surface, on any number of ranks.
+
+#include <coapt/contact/mid_surface_contact.h>
+#include <coapt/geometry/triangle.h>
+
+#include "sheets.h"
+#include "tests.h"
+
+#include <algorithm>
+#include <numeric>
+
+using namespace coapt;
+using dealii::Point;
+
+namespace
+{
+  const double folded_length = 30e-3;
+
+  /** A strip that is flat at phase 0 and rolled up to a spiral at phase 1, so
+   * that parts touch that are far from each other along the strip. */
+  Point<3>
+  spiral(const double a, const double b, const double t, const double phase)
+  {
+    const double pitch  = phase * 1.3e-3 / (2 * M_PI);
+    const double angle  = 2 * M_PI * 1.7 * phase * a;
+    const double radius = 2.5e-3 + pitch * angle + t;
+    const double wave   = 0.3e-3 * phase * std::sin(17 * b + 5 * a);
+    if (phase == 0)
+      return Point<3>(folded_length * a, 8e-3 * b, t);
+    return Point<3>((radius + wave) * std::cos(angle),
+                    8e-3 * b,
+                    (radius + wave) * std::sin(angle));
+  }
+
+  Sheets
+  strip()
+  {
+    Sheets sheets;
+    sheets.add(
+      {{40, 9}},
+      [](const double a, const double b, const double t) {
+        return spiral(a, b, t, 0);
+      },
+      folded_length * 8e-3,
+      false);
+    return sheets;
+  }
+
+  /** Positions of the nodes of strip() at a phase. */
+  std::vector<double>
+  positions(const double phase)
+  {
+    std::vector<double> X;
+    for (unsigned int i = 0; i <= 40; ++i)
+      for (unsigned int j = 0; j <= 9; ++j)
+        for (unsigned int l = 0; l < 3; ++l)
+          {
+            const Point<3> p =
+              spiral(i / 40., j / 9., (1. - l) * 0.5e-3, phase);
+            X.insert(X.end(), {p[0], p[1], p[2]});
+          }
+    return X;
+  }
+
+  double
+  distance(const Point<3> &p,
+           const std::vector<Point<3>> &points,
+           const std::array<unsigned int, 3> &triangle)
+  {
+    double weights[3];
+    return p.distance(closest_point_on_triangle(p,
+                                                points[triangle[0]],
+                                                points[triangle[1]],
+                                                points[triangle[2]],
+                                                weights));
+  }
+
+  /** Candidates in buckets against all triangles, one by one. */
+  void
+  candidates()
+  {
+    const Sheets sheets = strip();
+    const MidSurface surface(sheets.leaflet, sheets.mass);
+    std::vector<Point<3>> reference(surface.n_columns()), points(reference);
+    surface.positions(sheets.X.data(), reference);
+    surface.positions(positions(1).data(), points);
+
+    std::vector<unsigned int> columns(surface.n_columns());
+    std::iota(columns.begin(), columns.end(), 0);
+    const double exclusion = 2e-3;
+    const auto &triangles  = surface.triangles();
+
+    CandidateSearch search(reference, triangles, exclusion, columns);
+    for (const double radius : {0.9e-3, 2.2e-3, 20e-3})
+      {
+        search.find(points, radius);
+        unsigned int wrong = 0, found = 0;
+        for (const unsigned int c : columns)
+          {
+            std::vector<unsigned int> expected, actual;
+            for (unsigned int t = 0; t < triangles.size(); ++t)
+              if (distance(points[c], points, triangles[t]) <= radius &&
+                  distance(reference[c], reference, triangles[t]) > exclusion)
+                expected.push_back(t);
+            for (const auto &candidate : search.candidates(c))
+              actual.push_back(candidate.triangle);
+            std::sort(actual.begin(), actual.end());
+            wrong += actual != expected;
+            found += actual.size();
+          }
+        check("search finds what brute force finds, radius " +
+                std::to_string(std::lround(1e4 * radius)) + "e-4 m",
+              wrong == 0 && found > 100,
+              wrong);
+      }
+  }
+
+  /** Gaps while the strip rolls up, with candidates that are renewed only now
+   * and then, against brute force at every step. */
+  void
+  gaps_while_moving()
+  {
+    Sheets sheets = strip();
+    const MidSurface surface(sheets.leaflet, sheets.mass);
+    std::vector<Point<3>> reference(surface.n_columns()), points(reference);
+    surface.positions(sheets.X.data(), reference);
+    ContactParameters parameters;
+    MidSurfaceContact contact(
+      sheets.leaflet, sheets.mass, Sheets::density, parameters, MPI_COMM_WORLD);
+    const double exclusion =
+      parameters.exclusion_distance + parameters.clearance;
+    const double range = parameters.clearance + 0.5 * parameters.search_margin;
+
+    double error      = 0;
+    unsigned int near = 0;
+    for (unsigned int step = 0; step <= 60; ++step)
+      {
+        const auto X = positions(0.7 + 0.3 * std::sin(0.07 * step));
+        std::fill(sheets.V.begin(), sheets.V.end(), 0.);
+        const auto result =
+          contact.apply_impulse(X.data(), sheets.V.data(), 1e-5);
+        if (step % 5 != 0)
+          continue;
+        surface.positions(X.data(), points);
+        double least = MidSurfaceContact::no_gap;
+        for (unsigned int c = 0; c < points.size(); ++c)
+          {
+            double nearest = 1;
+            for (const auto &triangle : surface.triangles())
+              if (distance(reference[c], reference, triangle) > exclusion)
+                nearest =
+                  std::min(nearest, distance(points[c], points, triangle));
+            const double gap = nearest - Sheets::thickness <= range
+              ? nearest - Sheets::thickness
+              : MidSurfaceContact::no_gap;
+            near += gap < range;
+            error = std::max(error, std::abs(gap - contact.state().gap[c]));
+            least = std::min(least, gap);
+          }
+        error = std::max(error, std::abs(least - result.min_gap));
+      }
+    check("gaps while moving", error < 1e-12 && near > 500, error);
+  }
+
+  /** The velocities must not depend on the number of ranks: the communicator
+   * of one rank is the reference. */
+  void
+  ranks()
+  {
+    std::vector<Sheets> sheets(2, strip());
+    MidSurfaceContact alone(sheets[0].leaflet,
+                            sheets[0].mass,
+                            Sheets::density,
+                            ContactParameters(),
+                            MPI_COMM_SELF);
+    MidSurfaceContact together(sheets[1].leaflet,
+                               sheets[1].mass,
+                               Sheets::density,
+                               ContactParameters(),
+                               MPI_COMM_WORLD);
+    double error = 0, largest = 0;
+    unsigned int pairs = 0;
+    for (unsigned int step = 0; step < 20; ++step)
+      {
+        const auto X = positions(0.9 + 0.005 * step);
+        const auto a = alone.apply_impulse(X.data(), sheets[0].V.data(), 1e-6);
+        const auto b =
+          together.apply_impulse(X.data(), sheets[1].V.data(), 1e-6);
+        pairs += a.pairs == b.pairs ? a.pairs : 0;
+        for (unsigned int i = 0; i < X.size(); ++i)
+          {
+            error = std::max(error, std::abs(sheets[0].V[i] - sheets[1].V[i]));
+            largest = std::max(largest, std::abs(sheets[0].V[i]));
+          }
+      }
+    check("same velocities on any number of ranks",
+          pairs > 1000 && error < 1e-12 * largest,
+          error / largest);
+
+    const auto &V = sheets[1].V;
+    auto lowest(V), highest(V);
+    const int n = V.size();
+    MPI_Allreduce(
+      V.data(), lowest.data(), n, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
+    MPI_Allreduce(
+      V.data(), highest.data(), n, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    check("velocities replicated to the bit", lowest == highest);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  candidates();
+  gaps_while_moving();
+  ranks();
+}
