@@ -56,7 +56,8 @@ namespace coapt
         // row[i]: node i in the lower, node i + 4 in the upper half
         EightDoubles row[4];
         for (int i = 0; i < 4; ++i)
-          row[i] = (EightDoubles)_mm512_insertf64x4(
+          row[i] = (EightDoubles)_mm512_maskz_insertf64x4(
+            0xff,
             _mm512_castpd256_pd512(load_triple(values + offset[i])),
             load_triple(values + offset[i + 4]),
             1);

@@ -128,11 +128,15 @@ namespace coapt
   {
     // the balance may forbid to coarsen cells that ask for it forever: stop
     // when a sweep changes nothing
-    auto before = octree.get_checksum();
+    const auto checksum = [this]() { // p4est gives it to the first rank only
+      return dealii::Utilities::MPI::max<unsigned int>(
+        octree.get_checksum(), octree.get_communicator());
+    };
+    auto before = checksum();
     while (flag_cells(wanted_level))
       {
         octree.execute_coarsening_and_refinement();
-        const auto after = octree.get_checksum();
+        const auto after = checksum();
         if (after == before)
           break;
         before = after;
