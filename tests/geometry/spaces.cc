@@ -221,42 +221,32 @@ test_leaflet_lattice()
         moment.distance(exact) < 0.02 * mm * volume,
         moment.distance(exact) / volume);
 
-  // layers, and neighbours in a layer: k fastest, then j, then i
-  std::vector<Point<3>> positions;
-  for (const auto &sample : samples)
-    positions.push_back(position(leaflet.mesh, sample));
   std::vector<double> depths;
-  double farthest = 0, edge = 0;
-  for (std::size_t s = 0; s < samples.size(); ++s)
+  std::vector<std::vector<Point<3>>> of_quad(leaflet.quads.size());
+  for (const auto &sample : samples)
     {
-      if (std::find(depths.begin(), depths.end(), samples[s].depth) ==
-          depths.end())
-        depths.push_back(samples[s].depth);
-      double least = 1;
-      for (std::size_t r = s > 400 ? s - 400 : 0;
-           r < std::min(samples.size(), s + 400);
-           ++r)
-        if (r != s && samples[r].depth == samples[s].depth)
-          least = std::min(least, positions[r].distance(positions[s]));
-      farthest = std::max(farthest, least);
+      of_quad[sample.quad].push_back(position(leaflet.mesh, sample));
+      if (std::find(depths.begin(), depths.end(), sample.depth) == depths.end())
+        depths.push_back(sample.depth);
     }
   check("leaflet: three layers", depths.size() == 3, depths.size());
-  check("leaflet: spacing", farthest <= spacing / stretch * 1.05, farthest);
 
-  // every node of the free edge has a point within half a spacing each way
-  for (const unsigned int c : leaflet.free_edge_columns)
-    for (const unsigned int node : leaflet.columns[c])
+  // no node, so none at the rim either, is farther from a point of its own
+  // quadrilateral than half the diagonal of a lattice cell
+  double farthest = 0;
+  for (unsigned int cell = 0; cell < leaflet.mesh.cells.size(); ++cell)
+    for (const unsigned int node : leaflet.mesh.cells[cell])
       {
         double least = 1;
-        for (const auto &sample : samples)
-          least = std::min(
-            least,
-            position(leaflet.mesh, sample).distance(leaflet.mesh.points[node]));
-        edge = std::max(edge, least);
+        for (const Point<3> &x : of_quad[leaflet.cell_quad[cell]])
+          least = std::min(least, x.distance(leaflet.mesh.points[node]));
+        farthest = std::max(farthest, least);
       }
-  check("leaflet: points up to the rim",
-        edge < 0.5 * std::sqrt(3.) * spacing,
-        edge);
+  const double in_plane = spacing / stretch, across = 1 * mm / 3;
+  const double diagonal = std::sqrt(2 * in_plane * in_plane + across * across);
+  check("leaflet: spacing, up to the rim",
+        farthest < diagonal / 2 * 1.05,
+        farthest);
   bool refused = false;
   try
     {
