@@ -176,7 +176,7 @@ check_slack()
   chorda.rest_length = 20e-3;
   const ChordaeNetwork taut({chorda}, masses(), 0., 0.2);
   for (unsigned int i = 0; i < V.size(); ++i)
-    V[i] = 10 * chorda.tip[i % 3] / chorda.tip.norm();
+    V[i] = 100 * chorda.tip[i % 3] / chorda.tip.norm();
   check("no push", taut.tensions(0, X.data(), V.data())[0] == 0);
   check("no push, but dissipation",
         taut.damping_power(0, X.data(), V.data()) > 0);
