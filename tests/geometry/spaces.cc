@@ -232,7 +232,8 @@ test_leaflet_lattice()
   check("leaflet: three layers", depths.size() == 3, depths.size());
 
   // no node, so none at the rim either, is farther from a point of its own
-  // quadrilateral than half the diagonal of a lattice cell
+  // quadrilateral than half the diagonal of a lattice cell (longer by the
+  // shear that the profile of the heights brings)
   double farthest = 0;
   for (unsigned int cell = 0; cell < leaflet.mesh.cells.size(); ++cell)
     for (const unsigned int node : leaflet.mesh.cells[cell])
@@ -245,7 +246,7 @@ test_leaflet_lattice()
   const double in_plane = spacing / stretch, across = 1 * mm / 3;
   const double diagonal = std::sqrt(2 * in_plane * in_plane + across * across);
   check("leaflet: spacing, up to the rim",
-        farthest < diagonal / 2 * 1.05,
+        farthest < diagonal / 2 * 1.15,
         farthest);
   bool refused = false;
   try
