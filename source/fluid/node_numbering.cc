@@ -13,6 +13,7 @@ namespace coapt
   using dealii::ArrayView;
   using dealii::IndexSet;
   using dealii::types::global_dof_index;
+  using dealii::Utilities::MPI::Partitioner;
 
   namespace
   {
@@ -59,9 +60,11 @@ namespace coapt
 
     const IndexSet &owned = dofs->locally_owned_dofs();
     const MPI_Comm comm   = triangulation.get_communicator();
-    nodes.reinit(owned, known, comm);
-    vectors.reinit(repeated<dim>(owned), repeated<dim>(known), comm);
-    send_buffer.resize(vectors.n_import_indices());
+    nodes                 = std::make_unique<Partitioner>(owned, known, comm);
+    vectors               = std::make_unique<Partitioner>(repeated<dim>(owned),
+                                            repeated<dim>(known),
+                                            comm);
+    send_buffer.resize(vectors->n_import_indices());
     build_hanging_rows(relevant, global_masters);
   }
 
@@ -75,10 +78,9 @@ namespace coapt
     dealii::DoFTools::make_hanging_node_constraints(*dofs, constraints);
     constraints.close();
 
-    const dealii::Utilities::MPI::Partitioner partitioner(
-      dofs->locally_owned_dofs(),
-      relevant,
-      dofs->get_triangulation().get_communicator());
+    const Partitioner partitioner(dofs->locally_owned_dofs(),
+                                  relevant,
+                                  dofs->get_triangulation().get_communicator());
     const unsigned int n_owned = partitioner.locally_owned_size();
     const unsigned int n_ghost = partitioner.n_ghost_indices();
     std::vector<double> result(max_masters * (n_owned + n_ghost), -1.);
@@ -150,7 +152,7 @@ namespace coapt
   unsigned int
   NodeNumbering<dim>::n_owned() const
   {
-    return nodes.locally_owned_size();
+    return nodes->locally_owned_size();
   }
 
 
@@ -159,7 +161,7 @@ namespace coapt
   unsigned int
   NodeNumbering<dim>::n_local() const
   {
-    return nodes.locally_owned_size() + nodes.n_ghost_indices();
+    return nodes->locally_owned_size() + nodes->n_ghost_indices();
   }
 
 
@@ -177,7 +179,7 @@ namespace coapt
   unsigned int
   NodeNumbering<dim>::local_number(const global_dof_index global) const
   {
-    return nodes.global_to_local(global);
+    return nodes->global_to_local(global);
   }
 
 
@@ -217,14 +219,14 @@ namespace coapt
   NodeNumbering<dim>::update_ghosts(double *local) const
   {
     const unsigned int n = dim * n_owned();
-    const ArrayView<double> ghosts(local + n, vectors.n_ghost_indices());
-    vectors.template export_to_ghosted_array_start<double>(
+    const ArrayView<double> ghosts(local + n, vectors->n_ghost_indices());
+    vectors->template export_to_ghosted_array_start<double>(
       0,
       ArrayView<const double>(local, n),
       ArrayView<double>(send_buffer.data(), send_buffer.size()),
       ghosts,
       requests);
-    vectors.template export_to_ghosted_array_finish<double>(ghosts, requests);
+    vectors->template export_to_ghosted_array_finish<double>(ghosts, requests);
   }
 
 
@@ -235,11 +237,11 @@ namespace coapt
   {
     condense_hanging_nodes(local);
     const unsigned int n = dim * n_owned();
-    const ArrayView<double> ghosts(local + n, vectors.n_ghost_indices());
+    const ArrayView<double> ghosts(local + n, vectors->n_ghost_indices());
     const ArrayView<double> buffer(send_buffer.data(), send_buffer.size());
-    vectors.template import_from_ghosted_array_start<double>(
+    vectors->template import_from_ghosted_array_start<double>(
       dealii::VectorOperation::add, 1, ghosts, buffer, requests);
-    vectors.template import_from_ghosted_array_finish<double>(
+    vectors->template import_from_ghosted_array_finish<double>(
       dealii::VectorOperation::add,
       ArrayView<const double>(send_buffer.data(), send_buffer.size()),
       ArrayView<double>(local, n),

@@ -96,8 +96,10 @@ namespace coapt
     condense_hanging_nodes(double *local) const;
 
     std::shared_ptr<dealii::DoFHandler<dim, dim>> dofs;
-    dealii::Utilities::MPI::Partitioner nodes;   // one index a node
-    dealii::Utilities::MPI::Partitioner vectors; // dim indices a node
+    // made anew each time: deal.II's Partitioner fails when it is reused with
+    // an index space of another size
+    std::unique_ptr<dealii::Utilities::MPI::Partitioner> nodes;   // one index
+    std::unique_ptr<dealii::Utilities::MPI::Partitioner> vectors; // dim indices
 
     std::vector<unsigned int> hanging;    // local node numbers
     std::vector<unsigned int> row_start;  // into row_master
