@@ -100,17 +100,19 @@ namespace coapt
       return wanted_level((cell->vertex(0) + cell->vertex((1 << dim) - 1)) / 2,
                           cell_size(cell->level()));
     };
+    // Cells of other ranks are flagged too: deal.II takes back coarsening next
+    // to cells that it believes to stay, and the result would depend on
+    // the number of ranks. Where this is too bold, p4est's balance undoes it.
     for (const auto &cell : octree.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const unsigned int level  = cell->level();
-          const unsigned int target = std::min(wanted(cell), max_level);
-          if (target > level)
-            cell->set_refine_flag();
-          // the parent must agree, else it would be refined again at once
-          else if (target < level && wanted(cell->parent()) < level)
-            cell->set_coarsen_flag();
-        }
+      {
+        const unsigned int level  = cell->level();
+        const unsigned int target = std::min(wanted(cell), max_level);
+        if (target > level)
+          cell->set_refine_flag();
+        // the parent must agree, else it would be refined again at once
+        else if (target < level && wanted(cell->parent()) < level)
+          cell->set_coarsen_flag();
+      }
     octree.prepare_coarsening_and_refinement();
     int any = 0;
     for (const auto &cell : octree.active_cell_iterators())

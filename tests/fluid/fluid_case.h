@@ -166,7 +166,7 @@ noise(const dealii::Point<dim> &x, const int seed)
   double phase = 0.7 * seed + 0.3;
   for (int d = 0; d < dim; ++d)
     phase += (7123.1 + 1713.7 * d + 311.3 * seed) * x[d];
-  const double s = 4375.85 * std::sin(phase);
+  const double s = 437.585 * std::sin(phase);
   return 2 * (s - std::floor(s)) - 1;
 }
 
