@@ -117,13 +117,32 @@ namespace coapt
     , columns(columns)
     , excluded(columns.size())
     , found(columns.size())
+    , mark(triangles.size(), columns.size())
   {
-    find(reference, exclusion_distance);
+    exclude_neighbours(reference, exclusion_distance);
+  }
+
+
+
+  void
+  CandidateSearch::exclude_neighbours(const std::vector<Point<3>> &reference,
+                                      const double distance)
+  {
+    find(reference, distance);
     for (unsigned int i = 0; i < columns.size(); ++i)
       {
+        const Point<3> &p = reference[columns[i]];
         for (const Candidate &candidate : found[i])
-          excluded[i].push_back(candidate.triangle);
-        std::sort(excluded[i].begin(), excluded[i].end());
+          {
+            const auto &corner = triangles[candidate.triangle];
+            double weights[3];
+            if (p.distance(closest_point_on_triangle(p,
+                                                     reference[corner[0]],
+                                                     reference[corner[1]],
+                                                     reference[corner[2]],
+                                                     weights)) <= distance)
+              excluded[i].push_back(candidate.triangle);
+          }
         found[i].clear();
       }
     points_at_find.clear();
@@ -139,68 +158,52 @@ namespace coapt
     if (points.empty())
       return;
     const Buckets buckets(points, triangles, radius);
+    std::fill(mark.begin(), mark.end(), columns.size());
     for (unsigned int i = 0; i < columns.size(); ++i)
-      find_for_column(buckets, points, radius, i);
+      find_for_column(buckets, points[columns[i]], radius, i);
   }
 
 
 
   void
   CandidateSearch::find_for_column(const Buckets &buckets,
-                                   const std::vector<Point<3>> &points,
+                                   const Point<3> &p,
                                    const double radius,
                                    const unsigned int i)
   {
-    const Point<3> &p  = points[columns[i]];
+    for (const unsigned int triangle : excluded[i])
+      mark[triangle] = i;
+
     const double reach = radius + buckets.largest_radius;
     std::array<int, 3> from, to;
-    std::vector<Candidate> &list = found[i];
-    list.clear();
     for (unsigned int d = 0; d < 3; ++d)
       {
         from[d] = buckets.coordinate(p[d] - reach, d);
         to[d]   = buckets.coordinate(p[d] + reach, d);
       }
+    found[i].clear();
     for (int k = from[0]; k <= to[0]; ++k)
       for (int j = from[1]; j <= to[1]; ++j)
         {
-          const int row = buckets.row(k, j);
-          for (unsigned int e = buckets.begin[row + from[2]];
-               e < buckets.begin[row + to[2] + 1];
-               ++e)
+          const int row  = buckets.row(k, j);
+          const auto end = buckets.begin[row + to[2] + 1];
+          for (auto e = buckets.begin[row + from[2]]; e < end; ++e)
             {
-              const auto &entry  = buckets.entries[e];
-              const double limit = radius + entry.radius;
-              if (p.distance_square(entry.centroid) > limit * limit ||
-                  std::binary_search(excluded[i].begin(),
-                                     excluded[i].end(),
-                                     entry.triangle))
-                continue;
-              const auto &corner = triangles[entry.triangle];
-              double weights[3];
-              const double distance =
-                p.distance(closest_point_on_triangle(p,
-                                                     points[corner[0]],
-                                                     points[corner[1]],
-                                                     points[corner[2]],
-                                                     weights));
-              if (distance <= radius)
-                list.push_back({entry.triangle, distance});
+              const auto &entry   = buckets.entries[e];
+              const double limit  = radius + entry.radius;
+              const double square = p.distance_square(entry.centroid);
+              if (square <= limit * limit && mark[entry.triangle] != i)
+                found[i].push_back(
+                  {entry.triangle,
+                   std::max(0., std::sqrt(square) - entry.radius)});
             }
         }
-    // Ties by number: the order must not depend on the buckets.
-    std::sort(list.begin(),
-              list.end(),
-              [](const Candidate &a, const Candidate &b) {
-                return a.distance != b.distance ? a.distance < b.distance
-                                                : a.triangle < b.triangle;
-              });
   }
 
 
 
-  const std::vector<CandidateSearch::Candidate> &
-  CandidateSearch::candidates(const unsigned int i) const
+  std::vector<CandidateSearch::Candidate> &
+  CandidateSearch::candidates(const unsigned int i)
   {
     return found[i];
   }

@@ -31,12 +31,15 @@ namespace coapt
                       "0.2",
                       Double(0., 10.),
                       "Coulomb's coefficient of friction (-).");
-    prm.declare_entry("Search interval",
-                      "10",
-                      Integer(1, 10000),
-                      "Number of steps after which the pairs that may touch "
-                      "are looked for again if the leaflet has moved (-). "
-                      "After a large movement they are renewed at once.");
+    prm.declare_entry(
+      "Search interval",
+      "10",
+      Integer(1, 10000),
+      "Number of steps after which gaps beyond the clearance are "
+      "measured again, and after which the pairs that may "
+      "touch are looked for again if the leaflet has moved "
+      "(-). After a large movement they are looked for at "
+      "once.");
     prm.declare_entry("Exclusion distance",
                       "1.8",
                       Double(0., 100.),

@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace coapt
@@ -92,6 +93,7 @@ namespace coapt
     columns.gap.assign(n, no_gap);
     columns.pressure_impulse.assign(n, 0.);
     columns.normals.resize(n);
+    least_distance.resize(own_columns.size());
 
     const double spacing =
       std::sqrt(std::accumulate(columns.reference_area.begin(),
@@ -143,21 +145,19 @@ namespace coapt
   void
   MidSurfaceContact::renew_candidates()
   {
-    displacement = search.displacement(points);
-    ++steps_since_check;
-    bool renew = 2 * displacement > 0.5 * parameters.search_margin;
-    if (steps_since_check >= parameters.search_interval)
-      {
-        steps_since_check = 0;
-        renew = renew || 2 * displacement > 0.05 * parameters.search_margin;
-      }
-    if (renew)
+    displacement          = search.displacement(points);
+    const double approach = 2 * displacement / parameters.search_margin;
+    measure_all           = ++steps_since_check >= parameters.search_interval;
+    if (approach > 0.5 || (measure_all && approach > 0.1))
       {
         search.find(points,
                     thickness + parameters.clearance +
                       parameters.search_margin);
         displacement = 0;
+        measure_all  = true;
       }
+    if (measure_all)
+      steps_since_check = 0;
   }
 
 
@@ -183,36 +183,45 @@ namespace coapt
 
 
   // The nearest triangle, and the nearest one in the opposite direction if it
-  // is in contact. Returns how many there are.
+  // is in contact. Returns how many there are. Measured distances sharpen the
+  // bounds of the candidates, and the nearest one moves to the front, so that
+  // in the next step few others have to be measured.
   unsigned int
   MidSurfaceContact::find_encounters(const unsigned int i,
-                                     Encounter (&encounters)[2]) const
+                                     Encounter (&encounters)[2])
   {
-    const double onset = thickness + parameters.clearance;
-    const double range = onset + 0.5 * parameters.search_margin;
-    const auto &list   = search.candidates(i);
+    const double onset    = thickness + parameters.clearance;
+    auto &list            = search.candidates(i);
+    const double approach = 2 * displacement;
 
-    // Of those in contact, any may turn out to be the opposite one.
-    thread_local std::vector<Encounter> touching;
-    touching.clear();
+    touching.clear(); // any of these may turn out to be the opposite one
     unsigned int n = 0;
-    double nearest = range;
-    for (const auto &candidate : list)
+    double nearest = onset + 0.5 * parameters.search_margin;
+    double least   = std::numeric_limits<double>::max();
+    for (auto &candidate : list)
       {
-        const double least = candidate.distance - 2 * displacement;
-        if (least > std::max(nearest, onset) || least > range)
-          break;
-        const Encounter other = encounter(own_columns[i], candidate.triangle);
-        if (other.distance < onset)
+        const bool measure =
+          candidate.least_distance - approach <= std::max(nearest, onset);
+        Encounter other;
+        if (measure)
+          {
+            other = encounter(own_columns[i], candidate.triangle);
+            candidate.least_distance =
+              std::max(candidate.least_distance, other.distance - approach);
+          }
+        least = std::min(least, candidate.least_distance);
+        if (measure && other.distance < onset)
           touching.push_back(other);
-        if (other.distance <= nearest)
+        if (measure && other.distance <= nearest)
           {
             nearest       = other.distance;
             encounters[0] = other;
             n             = 1;
+            std::swap(candidate, list.front());
           }
       }
-    nearest = onset;
+    least_distance[i] = least;
+    nearest           = onset;
     for (const Encounter &other : touching)
       if (other.distance < nearest &&
           other.normal * encounters[0].normal < opposite)
@@ -286,16 +295,23 @@ namespace coapt
                                   const double stiffness,
                                   const double dt)
   {
+    const unsigned int c = own_columns[i];
+    double *sum          = &sums[n_slots * c];
+    const double onset   = thickness + parameters.clearance;
+    if (!measure_all && least_distance[i] - 2 * displacement > onset)
+      {
+        sum[gap] = columns.gap[c];
+        add(sum + direction, 1., columns.normals[c]);
+        return;
+      }
     Encounter encounters[2];
     const unsigned int n = find_encounters(i, encounters);
-    double *sum          = &sums[n_slots * own_columns[i]];
     sum[gap]             = n > 0 ? encounters[0].distance - thickness : no_gap;
     if (n > 0)
       add(sum + direction, 1., encounters[0].normal);
     for (unsigned int e = 0; e < n; ++e)
-      if (encounters[e].distance < thickness + parameters.clearance)
-        sums.back() +=
-          add_impulse(own_columns[i], encounters[e], V, stiffness, dt);
+      if (encounters[e].distance < onset)
+        sums.back() += add_impulse(c, encounters[e], V, stiffness, dt);
   }
 
 

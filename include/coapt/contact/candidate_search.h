@@ -18,11 +18,12 @@ namespace coapt
   class CandidateSearch
   {
   public:
-    /** A triangle and its distance (m) from the column when it was found. */
+    /** A triangle, and a lower bound of its distance (m) from the column at
+     * the positions of the last find(). */
     struct Candidate
     {
       unsigned int triangle;
-      double distance;
+      double least_distance;
     };
 
     /** Searches on behalf of @p columns only, the share of this rank.
@@ -32,14 +33,19 @@ namespace coapt
                     const double exclusion_distance,
                     const std::vector<unsigned int> &columns);
 
-    /** Gathers all triangles within @p radius (m) for the columns at
-     * @p points, and keeps the points for displacement(). */
+    /**
+     * Gathers all triangles within @p radius (m) for the columns at
+     * @p points, and keeps the points for displacement(). Distances are
+     * bounded by spheres around the triangles, so some triangles beyond the
+     * radius are gathered, too.
+     */
     void
     find(const std::vector<dealii::Point<3>> &points, const double radius);
 
-    /** The candidates of the i-th column of this rank, nearest first. */
-    const std::vector<Candidate> &
-    candidates(const unsigned int i) const;
+    /** The candidates of the i-th column of this rank. Who measures a distance
+     * may raise its lower bound. */
+    std::vector<Candidate> &
+    candidates(const unsigned int i);
 
     /**
      * Largest displacement of a column (m) since find(), infinite before it.
@@ -52,15 +58,20 @@ namespace coapt
     struct Buckets;
 
     void
+    exclude_neighbours(const std::vector<dealii::Point<3>> &reference,
+                       const double distance);
+
+    void
     find_for_column(const Buckets &buckets,
-                    const std::vector<dealii::Point<3>> &points,
+                    const dealii::Point<3> &p,
                     const double radius,
                     const unsigned int i);
 
     std::vector<std::array<unsigned int, 3>> triangles;
     std::vector<unsigned int> columns;
-    std::vector<std::vector<unsigned int>> excluded; // sorted
+    std::vector<std::vector<unsigned int>> excluded;
     std::vector<std::vector<Candidate>> found;
+    std::vector<unsigned int> mark; // scratch, by triangle
     std::vector<dealii::Point<3>> points_at_find;
   };
 } // namespace coapt

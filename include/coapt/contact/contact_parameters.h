@@ -24,7 +24,8 @@ namespace coapt
     /** Coulomb's coefficient of friction. */
     double friction = 0.2;
 
-    /** Steps between two looks at whether the candidates need renewal. */
+    /** Steps between two measurements of gaps beyond the clearance, and between
+     * two looks at whether candidates should be renewed early. */
     unsigned int search_interval = 10;
 
     /** A column never touches triangles that are nearer than this, plus the

@@ -66,14 +66,16 @@ namespace coapt
     struct ColumnState
     {
       /** Distance to the nearest other part of the mid-surface minus
-       * thickness (m), no_gap if there is none near. */
+       * thickness (m), no_gap if there is none near. Gaps beyond the clearance
+       * are measured every "search interval" steps only. */
       std::vector<double> gap;
 
       /** Integral of the contact pressure over time (Pa s) since
        * clear_accumulators(); both sides add up. */
       std::vector<double> pressure_impulse;
 
-      /** Unit vector to the nearest other part, zero if there is none. */
+      /** Unit vector to the nearest other part, zero if there is none;
+       * measured with the gap. */
       std::vector<dealii::Tensor<1, 3>> normals;
 
       /** Mid-surface area (m^2), reference and current. */
@@ -118,7 +120,7 @@ namespace coapt
     encounter(const unsigned int column, const unsigned int triangle) const;
 
     unsigned int
-    find_encounters(const unsigned int i, Encounter (&encounters)[2]) const;
+    find_encounters(const unsigned int i, Encounter (&encounters)[2]);
 
     bool
     add_impulse(const unsigned int column,
@@ -144,11 +146,14 @@ namespace coapt
     std::vector<unsigned int> own_columns;
     CandidateSearch search;
     double areal_mass; // density x h, kg/m^2
-    double displacement            = 0;
+    double displacement = 0;
+    bool measure_all    = true;
+    std::vector<double> least_distance; // lower bound, by own column
     unsigned int steps_since_check = 0;
 
     std::vector<dealii::Point<3>> points;
-    std::vector<double> sums; // what is summed over the ranks
+    std::vector<double> sums;        // what is summed over the ranks
+    std::vector<Encounter> touching; // scratch
 
     ColumnState columns;
     double time = 0;
