@@ -1,9 +1,12 @@
 // Contact of sheets: conservation, Coulomb's law, bouncing.
 
+#include <coapt/base/exceptions.h>
 #include <coapt/contact/mid_surface_contact.h>
 
 #include "sheets.h"
 #include "tests.h"
+
+#include <limits>
 
 using namespace coapt;
 using dealii::Point;
@@ -239,6 +242,58 @@ namespace
                    expected,
                    0.02);
   }
+
+  void
+  input()
+  {
+    dealii::ParameterHandler prm;
+    ContactParameters::declare_parameters(prm);
+    ContactParameters parameters;
+    const ContactParameters defaults;
+    parameters.parse_parameters(prm);
+    const auto equal = [](const double a, const double b) {
+      return std::abs(a - b) <= 1e-12 * std::abs(b);
+    };
+    check("declared and built-in defaults agree",
+          equal(parameters.clearance, defaults.clearance) &&
+            equal(parameters.stiffness_factor, defaults.stiffness_factor) &&
+            equal(parameters.max_stiffness, defaults.max_stiffness) &&
+            equal(parameters.damping, defaults.damping) &&
+            equal(parameters.friction, defaults.friction) &&
+            parameters.search_interval == defaults.search_interval &&
+            equal(parameters.exclusion_distance, defaults.exclusion_distance) &&
+            equal(parameters.search_margin, defaults.search_margin));
+
+    Sheets sheets;
+    sheets.add_rectangle({{2, 2}}, Point<3>(), {{2e-3, 2e-3}}, false);
+    std::vector<double> mass(sheets.mass);
+    mass[4]      = 0;
+    bool refused = false;
+    try
+      {
+        MidSurface(sheets.leaflet, mass);
+      }
+    catch (const InputError &)
+      {
+        refused = true;
+      }
+    check("a node without mass is refused", refused);
+
+    MidSurfaceContact contact(
+      sheets.leaflet, sheets.mass, Sheets::density, parameters, MPI_COMM_WORLD);
+    contact.apply_impulse(sheets.X.data(), sheets.V.data(), 1e-6);
+    sheets.X[7]  = std::numeric_limits<double>::quiet_NaN();
+    bool stopped = false;
+    try
+      {
+        contact.apply_impulse(sheets.X.data(), sheets.V.data(), 1e-6);
+      }
+    catch (const NumericalError &)
+      {
+        stopped = true;
+      }
+    check("a position that is not finite stops the computation", stopped);
+  }
 } // namespace
 
 
@@ -250,4 +305,5 @@ main(int argc, char **argv)
   conservation();
   coulomb();
   bounce();
+  input();
 }
