@@ -85,8 +85,11 @@ namespace coapt
         std::vector<Point<dim>> nearest;
         tree.query(boost::geometry::index::nearest(center, 1),
                    std::back_inserter(nearest));
+        // A larger cell is refined if one of its parts may lie in the band.
+        const double margin =
+          half_diagonal * (1 - parameters.finest_cell() / size);
         if (center.distance(nearest[0]) <
-            parameters.band * parameters.finest_cell() + half_diagonal)
+            parameters.band * parameters.finest_cell() + margin)
           return parameters.leaflet_level;
       }
     if (lumen && lumen(center) > half_diagonal)
@@ -100,7 +103,11 @@ namespace coapt
   bool
   SolidBand<dim>::is_used_up(const std::vector<Point<dim>> &x) const
   {
-    const double allowed = (parameters.band - 1) * parameters.finest_cell();
+    // What remains is the half diagonal of the cell that a point lies in, and
+    // half a cell.
+    const double allowed =
+      (parameters.band - 0.5 - 0.5 * std::sqrt(double(dim))) *
+      parameters.finest_cell();
     for (unsigned int q = 0; q < x.size(); ++q)
       if (x[q].distance_square(placed[q]) > allowed * allowed)
         return true;

@@ -25,6 +25,11 @@ namespace coapt
                       Integer(1, 1000),
                       "Steps between two evaluations of the stability limits "
                       "(-).");
+    prm.declare_entry("Steps between samples",
+                      "20",
+                      Integer(1, 1000),
+                      "Steps between two samples of the flow and of the "
+                      "powers, which are integrated over time (-).");
     prm.leave_subsection();
   }
 
@@ -37,6 +42,7 @@ namespace coapt
     safety   = prm.get_double("Step safety");
     max_step = prm.get_double("Largest step");
     interval = prm.get_integer("Steps between limits");
+    sampling = prm.get_integer("Steps between samples");
     prm.leave_subsection();
   }
 

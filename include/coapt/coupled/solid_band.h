@@ -63,8 +63,8 @@ namespace coapt
     unsigned int
     wanted_level(const dealii::Point<dim> &center, const double size) const;
 
-    /** Whether the solid, now at @p x, has used up its band, of which one
-     * cell must remain. */
+    /** Whether the solid, now at @p x, has used up its band, of which half a
+     * cell beside those that it lies in must remain. */
     bool
     is_used_up(const std::vector<dealii::Point<dim>> &x) const;
 

@@ -20,6 +20,9 @@ namespace coapt
     /** Steps between two evaluations of the limits. */
     unsigned int interval = 10;
 
+    /** Steps between two samples of the flow and of the powers. */
+    unsigned int sampling = 20;
+
     /** Declares the parameters. */
     static void
     declare_parameters(dealii::ParameterHandler &prm);

@@ -1,0 +1,101 @@
+#ifndef coapt_coupled_valve_model_h
+#define coapt_coupled_valve_model_h
+
+#include <coapt/base/time_table.h>
+#include <coapt/base/timing.h>
+#include <coapt/chordae/chordae_network.h>
+#include <coapt/contact/mid_surface_contact.h>
+#include <coapt/coupled/coupled_system.h>
+#include <coapt/coupled/model_parameters.h>
+#include <coapt/geometry/leaflet.h>
+#include <coapt/geometry/lumen.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * All parts of a mitral valve in blood, built from the parameters in the
+   * order of their dependence: leaflet and chordae, octree around them,
+   * operators, coupling points, coupled system.
+   *
+   * The ventricle is at the low end in z, the atrium at the high end.
+   */
+  class ValveModel
+  {
+  public:
+    /** Sides of the box that are the ends of the lumen (boundary ids). */
+    static constexpr unsigned int ventricular_end = 4;
+    static constexpr unsigned int atrial_end      = 5;
+
+    /** Throws InputError. Collective. */
+    ValveModel(const ModelParameters &parameters,
+               Timing &timing,
+               MPI_Comm communicator);
+
+    /** State at rest. */
+    std::vector<double>
+    state_at_rest();
+
+    /** Whether the leaflet has used up the refined band around it. */
+    bool
+    band_is_used_up(const std::vector<double> &y) const;
+
+    /** Lets the octree follow the leaflet; returns whether the layout of the
+     * state has changed. Collective. */
+    bool
+    follow_leaflet(std::vector<double> &y);
+
+    /** Sets what learns of each contact impulse: its work (J). */
+    void
+    on_contact_work(const std::function<void(double)> &listener);
+
+    const ModelParameters parameters;
+    const MPI_Comm communicator;
+    const TimeTable ventricular_pressure;
+    const FittedTube lumen;
+    const Leaflet leaflet;
+
+    std::unique_ptr<SolidOperator<3>> solid;
+    std::unique_ptr<ChordaeNetwork> chordae;
+    std::unique_ptr<MidSurfaceContact> contact;
+    std::unique_ptr<FluidGrid<3>> grid;
+    std::unique_ptr<FluidOperator<3>> fluid;
+    std::unique_ptr<CouplingPoints<3>> points;
+    std::unique_ptr<CoupledSystem<3>> system;
+
+    /** What the last contact did. */
+    MidSurfaceContact::Result last_contact;
+
+    /** Triangles of the mid-surface, by columns. */
+    std::vector<std::array<unsigned int, 3>> surface;
+
+    /** Mean of the nodal values @p nodal (groups of three) through the
+     * thickness of each column, by the trapezoidal rule. */
+    std::vector<dealii::Point<3>>
+    mid_surface(const std::vector<double> &nodal) const;
+
+  private:
+    void
+    build_solid();
+
+    void
+    build_fluid();
+
+    void
+    build_coupling(Timing &timing);
+
+    void
+    act_contact(const double *X, double *V, const double dt);
+
+    std::function<double(const dealii::Point<3> &)>
+    distance_to_wall() const;
+
+    SolidBand<3> band;
+    std::function<void(double)> contact_work_listener;
+  };
+} // namespace coapt
+
+#endif

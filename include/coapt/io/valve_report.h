@@ -1,0 +1,90 @@
+#ifndef coapt_io_valve_report_h
+#define coapt_io_valve_report_h
+
+#include <coapt/io/statistics.h>
+#include <coapt/io/summary.h>
+#include <coapt/metrics/valve_monitor.h>
+
+#include <string>
+#include <vector>
+
+namespace coapt
+{
+  /** What a computation has cost. */
+  struct RunCost
+  {
+    unsigned int fluid_cells     = 0;
+    unsigned int solid_tets      = 0;
+    unsigned int coupling_points = 0;
+    unsigned long steps          = 0;
+    unsigned long evaluations    = 0; // of the right-hand side
+    double wall_seconds          = 0;
+    unsigned int ranks           = 1;
+    double step_length           = 0; // s, the present one
+  };
+
+  /** A row of statistics.csv: names with units, and values in them. */
+  std::vector<Statistics::Entry>
+  statistics_row(const ValveSample &sample, const RunCost &cost);
+
+  /**
+   * Collects the samples of a run and draws the verdict from them.
+   *
+   * Closing time: the first sample from which on the widest path through the
+   * valve stays below half a fluid cell. Leak: what flows out at the atrial
+   * end minus what the leaflets sweep, mean over the last 20 ms; coaptation is
+   * that of the mean tractions over the same window. Sealed: the widest path
+   * is below half a fluid cell at the end, and the leak at most 1 mL/s.
+   */
+  class ValveReport
+  {
+  public:
+    /** Length of the window of the final means (s), and the largest leak of a
+     * sealed valve (m^3/s). @{ */
+    static constexpr double window       = 20e-3;
+    static constexpr double largest_leak = 1e-6;
+    /** @} */
+
+    /** For a run until @p end_time (s) with the finest cell @p cell (m). */
+    ValveReport(const double end_time, const double cell);
+
+    /** Takes the sample that @p monitor has just made. */
+    void
+    add(const ValveSample &sample, const ValveMonitor &monitor);
+
+    /** All figures of the run until the last sample. */
+    Summary
+    summary(const ValveMonitor &monitor,
+            const RunCost &cost,
+            const std::vector<std::string> &warnings) const;
+
+  private:
+    struct Closing
+    {
+      bool closed   = false;
+      double time   = 0;
+      double volume = 0;
+    };
+
+    Closing
+    closing() const;
+
+    double
+    leak() const;
+
+    const double end_time;
+    const double cell;
+    std::vector<ValveSample> samples;
+
+    // Sums over the window.
+    unsigned int n_in_window = 0;
+    std::vector<double> contact_pressure, total_traction;
+  };
+
+  /** Where a point of the valve is, in words: "right commissure" and so on.
+   * The right side is +x, the anterior one +y. */
+  std::string
+  place_name(const dealii::Point<3> &x);
+} // namespace coapt
+
+#endif

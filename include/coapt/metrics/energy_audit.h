@@ -1,0 +1,111 @@
+#ifndef coapt_metrics_energy_audit_h
+#define coapt_metrics_energy_audit_h
+
+#include <coapt/coupled/coupled_system.h>
+
+namespace coapt
+{
+  /**
+   * Keeps the books of energy: work of the ends, of chordae and of contact =
+   * change of the kinetic, acoustic, elastic and multiplier energies +
+   * dissipation + what is left, the error. Powers are sampled and integrated
+   * by the trapezoidal rule; the work of contact is exact, the change of the
+   * kinetic energy by each impulse. All in J, over all ranks.
+   */
+  template <int dim>
+  class EnergyAudit
+  {
+  public:
+    /** Energies stored at one time (J). */
+    struct Energies
+    {
+      double fluid_kinetic = 0;
+      double acoustic      = 0;
+      double solid_kinetic = 0;
+      double elastic       = 0;
+      double multiplier    = 0;
+
+      /** Their sum. */
+      double
+      total() const
+      {
+        return fluid_kinetic + acoustic + solid_kinetic + elastic + multiplier;
+      }
+    };
+
+    /** Work done since the start (J). Dissipation is positive. */
+    struct Works
+    {
+      double ends         = 0;
+      double loads        = 0;
+      double contact      = 0;
+      double adaptation   = 0;
+      double fluid_losses = 0;
+      double solid_losses = 0;
+      double slip_losses  = 0;
+    };
+
+    EnergyAudit(const CoupledSystem<dim> &system,
+                const FluidOperator<dim> &fluid,
+                const SolidOperator<dim> &solid,
+                const CouplingPoints<dim> &points);
+
+    /** Samples the powers at time @p t; the first call starts the books.
+     * Collective. */
+    void
+    sample(const double t, const double *y);
+
+    /** Adds the work (J) of one contact impulse. */
+    void
+    add_contact_work(const double work)
+    {
+      works.contact += work;
+    }
+
+    /** Books the energy that a re-adaptation of the mesh has added (J). */
+    void
+    add_adaptation(const double change)
+    {
+      works.adaptation += change;
+    }
+
+    /** Energies stored in the state @p y. Collective. */
+    Energies
+    energies(const double *y) const;
+
+    /** Work of each kind until the last sample. */
+    const Works &
+    work() const
+    {
+      return works;
+    }
+
+    /** |work - change - dissipation| over the work of the ends (in absolute
+     * value, integrated) for the state @p y of the last sample. Collective. */
+    double
+    relative_error(const double *y) const;
+
+  private:
+    struct Powers
+    {
+      double ends = 0, loads = 0, fluid = 0, solid = 0, slip = 0;
+    };
+
+    Powers
+    powers(const double t, const double *y) const;
+
+    const CoupledSystem<dim> &system;
+    const FluidOperator<dim> &fluid;
+    const SolidOperator<dim> &solid;
+    const CouplingPoints<dim> &points;
+
+    bool started       = false;
+    double last_time   = 0;
+    double initial     = 0;
+    double gross_input = 0;
+    Powers last;
+    Works works;
+  };
+} // namespace coapt
+
+#endif

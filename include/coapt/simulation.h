@@ -1,0 +1,78 @@
+#ifndef coapt_simulation_h
+#define coapt_simulation_h
+
+#include <coapt/base/log.h>
+#include <coapt/base/run_parameters.h>
+#include <coapt/base/timing.h>
+#include <coapt/coupled/valve_model.h>
+#include <coapt/metrics/valve_monitor.h>
+#include <coapt/time/explicit_integrator.h>
+#include <coapt/time/step_control.h>
+
+#include <string>
+#include <vector>
+
+namespace coapt
+{
+  /** All parameters of a run. */
+  struct SimulationParameters
+  {
+    RunParameters run;
+    StepParameters step;
+    ModelParameters model;
+
+    /** Declares all parameters. */
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Reads the parameter file @p file into @p prm and from there. Throws
+     * InputError with the file, the parameter and what is allowed. */
+    void
+    read(const std::string &file, dealii::ParameterHandler &prm);
+  };
+
+  /** The closure of a valve, from rest to the end time. */
+  class Simulation
+  {
+  public:
+    /** Builds the valve; throws InputError. Collective. */
+    Simulation(const SimulationParameters &parameters,
+               Log &log,
+               MPI_Comm communicator);
+
+    /** Runs to the end time; throws NumericalError. Collective. */
+    void
+    run();
+
+  private:
+    void
+    warn_of_sparse_points();
+
+    void
+    advance(const double until);
+
+    void
+    adapt();
+
+    void
+    update_step_limits();
+
+    void
+    check_finite();
+
+    void
+    record();
+
+    SimulationParameters parameters;
+    Log &log;
+    MPI_Comm communicator;
+    Timing timing;
+    ValveModel model;
+    ValveMonitor monitor;
+    ExplicitIntegrator integrator;
+    StepControl step_control;
+    std::vector<double> state;
+  };
+} // namespace coapt
+
+#endif

@@ -1,0 +1,231 @@
+#include <deal.II/base/mpi.h>
+
+#include <coapt/base/exceptions.h>
+#include <coapt/coupled/valve_model.h>
+#include <coapt/geometry/coupling_lattice.h>
+#include <coapt/geometry/valve_generator.h>
+#include <coapt/geometry/widest_path.h>
+
+#include <cmath>
+
+namespace coapt
+{
+  using dealii::Point;
+
+  ValveModel::ValveModel(const ModelParameters &parameters,
+                         Timing &timing,
+                         MPI_Comm communicator)
+    : parameters(parameters)
+    , communicator(communicator)
+    , ventricular_pressure(TimeTable::from_file(
+        find_input_file(parameters.ends.pressure_table, parameters.folder),
+        parameters.ends.pressure_unit))
+    , lumen(parameters.lumen,
+            parameters.valve.annulus_semi_axis_x,
+            parameters.valve.annulus_semi_axis_y)
+    , leaflet(generate_leaflet(parameters.valve))
+    , surface(triangulate(leaflet.quads))
+    , band(parameters.mesh, distance_to_wall())
+  {
+    build_solid();
+    build_fluid();
+    build_coupling(timing);
+  }
+
+
+
+  std::function<double(const Point<3> &)>
+  ValveModel::distance_to_wall() const
+  {
+    return [this](const Point<3> &x) { return lumen.signed_distance(x); };
+  }
+
+
+
+  void
+  ValveModel::build_solid()
+  {
+    solid   = std::make_unique<SolidOperator<3>>(leaflet.mesh,
+                                               parameters.solid,
+                                               leaflet.fibre,
+                                               leaflet.prestretch,
+                                               communicator);
+    chordae = std::make_unique<ChordaeNetwork>(
+      generate_chordae(parameters.valve, leaflet, solid->mass()),
+      solid->mass());
+    contact = std::make_unique<MidSurfaceContact>(leaflet,
+                                                  solid->mass(),
+                                                  parameters.solid.density,
+                                                  parameters.contact,
+                                                  communicator);
+  }
+
+
+
+  namespace
+  {
+    /** Cells of edge @p h that fill @p length; throws if they do not. */
+    unsigned int
+    cells_along(const double length, const double h)
+    {
+      const double n = std::round(length / h);
+      if (std::abs(n * h - length) > 1e-6 * h)
+        throw InputError("Lumen: Ventricular length plus Atrial length is " +
+                         std::to_string(1e3 * length) +
+                         " mm, but must be a multiple of Mesh: Coarse cell, " +
+                         std::to_string(1e3 * h) + " mm");
+      return n;
+    }
+  } // namespace
+
+
+
+  void
+  ValveModel::build_fluid()
+  {
+    const double h = parameters.mesh.coarse_cell;
+    Point<3> lower = lumen.lower(), upper = lumen.upper();
+    std::array<unsigned int, 3> cells;
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        cells[d] = 2 * std::ceil(upper[d] / h);
+        upper[d] = 0.5 * cells[d] * h;
+        lower[d] = -upper[d];
+      }
+    cells[2] = cells_along(upper[2] - lower[2], h);
+    grid = std::make_unique<FluidGrid<3>>(communicator, lower, upper, cells);
+
+    FluidBoundaries<3> boundaries;
+    boundaries.type.fill(FluidBoundary::no_slip);
+    boundaries.type[ventricular_end]     = FluidBoundary::pressure_end;
+    boundaries.type[atrial_end]          = FluidBoundary::pressure_end;
+    boundaries.pressure[ventricular_end] = ventricular_pressure;
+    boundaries.pressure[atrial_end]      = [](const double) { return 0.; };
+    boundaries.impedance[ventricular_end] =
+      parameters.ends.ventricular_impedance;
+    boundaries.impedance[atrial_end] = parameters.ends.atrial_impedance;
+
+    fluid = std::make_unique<FluidOperator<3>>(parameters.fluid,
+                                               boundaries,
+                                               distance_to_wall());
+  }
+
+
+
+  void
+  ValveModel::build_coupling(Timing &timing)
+  {
+    points = std::make_unique<CouplingPoints<3>>(
+      leaflet.mesh,
+      leaflet_lattice(leaflet,
+                      parameters.coupling.spacing *
+                        parameters.mesh.finest_cell(),
+                      parameters.coupling.expected_stretch,
+                      parameters.coupling.min_layers),
+      communicator);
+
+    std::vector<double> X(3 * solid->n_nodes());
+    for (unsigned int n = 0; n < solid->n_nodes(); ++n)
+      for (unsigned int d = 0; d < 3; ++d)
+        X[3 * n + d] = leaflet.mesh.points[n][d];
+    band.place(points->positions(X.data()));
+    grid->refine_to([this](const Point<3> &center, const double size) {
+      return band.wanted_level(center, size);
+    });
+    fluid->reinit(*grid);
+
+    system = std::make_unique<CoupledSystem<3>>(*fluid,
+                                                *solid,
+                                                *points,
+                                                leaflet.pinned,
+                                                parameters.coupling,
+                                                parameters.solid.density,
+                                                parameters.fluid.density,
+                                                timing,
+                                                communicator);
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n_ranks =
+      dealii::Utilities::MPI::n_mpi_processes(communicator);
+    system->add_load([this, rank, n_ranks](const double t,
+                                           const double *X,
+                                           const double *V,
+                                           double *F) {
+      chordae->add_forces(t, X, V, F, rank, n_ranks);
+    });
+    system->set_impulse([this](const double *X, double *V, const double dt) {
+      act_contact(X, V, dt);
+    });
+  }
+
+
+
+  void
+  ValveModel::act_contact(const double *X, double *V, const double dt)
+  {
+    const double before = solid->kinetic_energy(V);
+    last_contact        = contact->apply_impulse(X, V, dt);
+    if (contact_work_listener)
+      contact_work_listener(solid->kinetic_energy(V) - before);
+  }
+
+
+
+  void
+  ValveModel::on_contact_work(const std::function<void(double)> &listener)
+  {
+    contact_work_listener = listener;
+  }
+
+
+
+  std::vector<double>
+  ValveModel::state_at_rest()
+  {
+    return system->state_at_rest(leaflet.mesh.points);
+  }
+
+
+
+  bool
+  ValveModel::band_is_used_up(const std::vector<double> &y) const
+  {
+    return band.is_used_up(
+      points->positions(system->solid_positions(y.data()).data()));
+  }
+
+
+
+  bool
+  ValveModel::follow_leaflet(std::vector<double> &y)
+  {
+    band.place(points->positions(system->solid_positions(y.data()).data()));
+    return system->adapt(
+      *grid,
+      [this](const Point<3> &center, const double size) {
+        return band.wanted_level(center, size);
+      },
+      y);
+  }
+
+
+
+  std::vector<Point<3>>
+  ValveModel::mid_surface(const std::vector<double> &nodal) const
+  {
+    std::vector<Point<3>> result(leaflet.columns.size());
+    for (unsigned int c = 0; c < result.size(); ++c)
+      {
+        const std::vector<unsigned int> &column = leaflet.columns[c];
+        for (unsigned int k = 0; k < column.size(); ++k)
+          {
+            const double weight =
+              ((k == 0 || k + 1 == column.size()) ? 0.5 : 1.) /
+              (column.size() - 1);
+            for (unsigned int d = 0; d < 3; ++d)
+              result[c][d] += weight * nodal[3 * column[k] + d];
+          }
+      }
+    return result;
+  }
+} // namespace coapt
