@@ -128,6 +128,50 @@ namespace
           residual);
   }
 
+  /** A linear flow A x without divergence is accelerated by -A A x: exact at
+   * the inner nodes of a uniform grid. */
+  template <int dim>
+  void
+  convection()
+  {
+    FluidParameters parameters;
+    parameters.hourglass_speed = parameters.artificial_viscosity = 0;
+    auto test = make_case<dim>(parameters, all_sides<dim>(FluidBoundary::slip));
+    test.set_up([](const auto &, double) { return 1u; });
+    double matrix[dim][dim];
+    for (int c = 0; c < dim; ++c)
+      for (int d = 0; d < dim; ++d)
+        matrix[c][d] = (c == d) ? (c == 0 ? dim - 1. : -1.) : 1. + c - 2. * d;
+    const auto times_matrix = [&](const dealii::Point<dim> &x) {
+      dealii::Point<dim> result;
+      for (int c = 0; c < dim; ++c)
+        for (int d = 0; d < dim; ++d)
+          result[c] += matrix[c][d] * x[d];
+      return result;
+    };
+    test.set_velocity([&](const auto &x,
+                          const int c) { return times_matrix(x)[c]; },
+                      false);
+    std::vector<double> a, rate;
+    test.evaluate(0, test.u, test.p, a, rate);
+    double error = 0;
+    for (unsigned int c = 0; c < test.op.n_owned_cells(); ++c)
+      for (unsigned int i = 0; i < (1 << dim); ++i)
+        {
+          const auto x        = test.corner(test.op.cell(c), i);
+          const auto node     = test.op.cell(c).nodes[i];
+          const auto expected = times_matrix(times_matrix(x));
+          double wall         = 1;
+          for (int d = 0; d < dim; ++d)
+            wall = std::min({wall, x[d], box - x[d]});
+          if (wall > 1e-6 && node < test.op.n_owned_nodes())
+            for (int d = 0; d < dim; ++d)
+              error =
+                std::max(error, std::abs(a[dim * node + d] + expected[d]));
+        }
+    check(name("acceleration of a linear flow", dim), error < 1e-10, error);
+  }
+
   template <int dim>
   void
   random_state(FluidCase<dim> &test)
@@ -337,6 +381,7 @@ namespace
   {
     rest<dim>();
     patch<dim>();
+    convection<dim>();
     energy<dim>();
     adjointness<dim>();
     location<dim>();
