@@ -2,28 +2,118 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <coapt/base/exceptions.h>
+#include <coapt/base/version.h>
+#include <coapt/io/command_line.h>
+#include <coapt/io/console.h>
+#include <coapt/io/output_folder.h>
 #include <coapt/simulation.h>
 
 #include <iostream>
+
+namespace
+{
+  using namespace coapt;
+
+  /** Reads the parameters and builds the valve, and with Action::run, runs. */
+  void
+  treat_file(const CommandLine &command, MPI_Comm communicator)
+  {
+    Log log(communicator);
+    dealii::ParameterHandler prm;
+    SimulationParameters parameters;
+    SimulationParameters::declare_parameters(prm);
+    parameters.read(command.file, prm);
+
+    const OutputFolder folder(parameters.run.output_folder,
+                              parameters.run.overwrite,
+                              communicator);
+    Simulation simulation(parameters, log, communicator);
+    if (command.action == CommandLine::Action::check)
+      {
+        log.line(command.file + ": ok");
+        return;
+      }
+    folder.create();
+    folder.write_parameters(prm, command.file);
+    log.open(folder.file("coapt.log"));
+    log.line(Console::banner(communicator));
+    simulation.run(folder);
+  }
+
+
+
+  void
+  write_defaults()
+  {
+    dealii::ParameterHandler prm;
+    SimulationParameters::declare_parameters(prm);
+    prm.print_parameters(std::cout, dealii::ParameterHandler::PRM);
+  }
+
+
+
+  void
+  act(const CommandLine &command, MPI_Comm communicator)
+  {
+    const bool is_first =
+      dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    switch (command.action)
+      {
+        case CommandLine::Action::run:
+        case CommandLine::Action::check:
+          treat_file(command, communicator);
+          break;
+        case CommandLine::Action::write_defaults:
+          if (is_first)
+            write_defaults();
+          break;
+        case CommandLine::Action::version:
+          if (is_first)
+            std::cout << "coapt " << version() << std::endl;
+          break;
+        case CommandLine::Action::help:
+          if (is_first)
+            std::cout << CommandLine::usage();
+          break;
+      }
+  }
+
+
+
+  /** Says what is wrong, once if all ranks know it, and ends all ranks. */
+  int
+  fail(const std::string &what, const int code, MPI_Comm communicator)
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      std::cerr << "coapt: " << what << std::endl;
+    return code;
+  }
+} // namespace
+
+
 
 int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  coapt::Log                               log(MPI_COMM_WORLD);
+  const MPI_Comm communicator = MPI_COMM_WORLD;
   try
     {
-      dealii::ParameterHandler    prm;
-      coapt::SimulationParameters parameters;
-      coapt::SimulationParameters::declare_parameters(prm);
-      parameters.read(argv[1], prm);
-      coapt::Simulation simulation(parameters, log, MPI_COMM_WORLD);
-      simulation.run();
+      act(CommandLine::parse(argc, argv), communicator);
+    }
+  catch (const InputError &error)
+    {
+      return fail(error.what(), ExitCode::bad_input, communicator);
+    }
+  catch (const NumericalError &error)
+    {
+      return fail(error.what(), ExitCode::numerical_failure, communicator);
     }
   catch (const std::exception &error)
     {
-      log.line(error.what());
-      return 1;
+      // Not an error that all ranks are known to share: end the others, too.
+      std::cerr << "coapt: " << error.what() << std::endl;
+      MPI_Abort(communicator, ExitCode::numerical_failure);
     }
-  return 0;
+  return ExitCode::success;
 }

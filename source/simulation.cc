@@ -6,7 +6,6 @@
 #include <coapt/time/stability_limit.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 namespace coapt
@@ -56,56 +55,82 @@ namespace coapt
         },
         [this](const double t, double *y) { model.system->finish_step(t, y); })
     , step_control(parameters.step)
+    , sections({timing.section("Adaptation"),
+                timing.section("Step limits"),
+                timing.section("Flow and energy"),
+                timing.section("Output"),
+                timing.section("Integrator")})
     , state(model.state_at_rest())
   {
+    model.check_resolution(log);
   }
 
 
 
   void
-  Simulation::run()
+  Simulation::run(const OutputFolder &folder)
   {
+    Recorder recorder(parameters.run, folder, model, monitor, log);
+    const auto record = [&]() {
+      const auto scope = timing.scope(sections.output);
+      recorder.record(integrator.time(),
+                      state.data(),
+                      cost(),
+                      step_control.limiter());
+    };
+
     update_step_limits();
     model.system->begin_step(step_control.step(parameters.run.end_time));
     integrator.start(0., state);
     record();
-    while (integrator.time() < parameters.run.end_time)
+    while (integrator.time() < parameters.run.end_time * (1 - 1e-9))
       {
         advance(std::min(parameters.run.end_time,
-                         integrator.time() + parameters.run.output_interval));
+                         integrator.time() + parameters.run.output_interval),
+                recorder);
         record();
       }
+    recorder.write_fields(integrator.time(), state.data());
+    recorder.write_summary(cost());
     log.line(timing.summary(communicator));
   }
 
 
 
   void
-  Simulation::advance(const double until)
+  Simulation::advance(const double until, Recorder &recorder)
   {
     while (integrator.time() < until * (1 - 1e-12))
       {
-        if (integrator.n_steps() % parameters.step.interval == 0)
-          {
-            update_step_limits();
-            check_finite();
-            if (model.band_is_used_up(state))
-              adapt();
-          }
-        if (integrator.n_steps() % parameters.step.sampling == 0)
-          {
-            const auto scope = timing.scope(timing.section("Flow and energy"));
-            monitor.accumulate(integrator.time(), state.data());
-          }
-        if (model.system->points_have_left())
-          {
-            model.system->redistribute_points(state);
-            integrator.start(integrator.time(), state);
-          }
-        const double dt = step_control.step(until - integrator.time());
+        prepare_step(recorder);
+        const double dt  = step_control.step(until - integrator.time());
+        const auto scope = timing.scope(sections.integrator);
         model.system->begin_step(dt);
-        const auto scope = timing.scope(timing.section("Integrator"));
         integrator.step(dt);
+      }
+  }
+
+
+
+  void
+  Simulation::prepare_step(Recorder &recorder)
+  {
+    if (integrator.n_steps() % parameters.step.interval == 0)
+      {
+        check_finite(recorder);
+        update_step_limits();
+        if (model.band_is_used_up(state))
+          adapt();
+      }
+    if (integrator.n_steps() % parameters.step.sampling == 0)
+      {
+        const auto scope = timing.scope(sections.monitor);
+        monitor.accumulate(integrator.time(), state.data());
+      }
+    if (model.system->points_have_left())
+      {
+        model.system->redistribute_points(state);
+        integrator.start(integrator.time(), state);
       }
   }
 
@@ -114,12 +139,13 @@ namespace coapt
   void
   Simulation::adapt()
   {
-    const auto scope    = timing.scope(timing.section("Adaptation"));
+    const auto scope    = timing.scope(sections.adaptation);
     const double before = monitor.stored_energy(state.data());
     if (model.follow_leaflet(state))
       {
         monitor.note_adaptation(before, state.data());
         integrator.start(integrator.time(), state);
+        last_finite_state.clear();
       }
   }
 
@@ -128,11 +154,9 @@ namespace coapt
   void
   Simulation::update_step_limits()
   {
-    const auto scope            = timing.scope(timing.section("Step limits"));
+    const auto scope            = timing.scope(sections.limits);
     const std::vector<double> X = model.system->solid_positions(state.data());
     const auto solid            = model.solid->step_bound(X.data());
-    const double h              = model.parameters.valve.thickness;
-    const double rho            = model.parameters.solid.density;
     step_control.update(
       {{"fluid", model.fluid->max_stable_step()},
        {"solid", kinnmark_gray_limit(solid.xi) / solid.omega},
@@ -140,79 +164,49 @@ namespace coapt
        {"coupling",
         model.parameters.coupling.max_relaxation_time /
           model.parameters.coupling.relaxation_steps / parameters.step.safety},
-       {"contact",
-        std::sqrt(model.parameters.contact.stiffness_factor * rho * h /
-                  model.parameters.contact.max_stiffness)}});
+       {"contact", model.contact_step_limit()}});
   }
 
 
 
   void
-  Simulation::check_finite()
+  Simulation::check_finite(Recorder &recorder)
   {
-    bool finite = true;
+    // A sum is not finite if one of its terms is not.
+    double sum = 0;
     for (const double value : state)
-      finite = finite && std::isfinite(value);
-    if (dealii::Utilities::MPI::min(finite ? 1 : 0, communicator) == 0)
-      throw NumericalError(
-        "the state is not finite at t = " + std::to_string(integrator.time()) +
-        " s; the step was limited by the " + step_control.limiter());
+      sum += value;
+    if (dealii::Utilities::MPI::min(std::isfinite(sum) ? 1 : 0, communicator) ==
+        1)
+      {
+        last_finite_state = state;
+        last_finite_time  = integrator.time();
+        return;
+      }
+
+    if (last_finite_state.size() == state.size())
+      recorder.write_fields(last_finite_time, last_finite_state.data());
+    throw NumericalError(
+      "the state is not finite at t = " + std::to_string(integrator.time()) +
+      " s (" + model.name_not_finite(state) +
+      "); the step was limited by the " + step_control.limiter());
   }
 
 
 
-  void
-  Simulation::record()
+  RunCost
+  Simulation::cost() const
   {
-    const auto scope    = timing.scope(timing.section("Output"));
-    const ValveSample s = monitor.sample(integrator.time(), state.data());
-    const unsigned int cells =
+    RunCost cost;
+    cost.fluid_cells =
       dealii::Utilities::MPI::sum(model.fluid->n_owned_cells(), communicator);
-    char line[1000];
-    std::snprintf(
-      line,
-      sizeof(line),
-      "%6.2f ms dt %.2f us (%s) p %.0f Q %.1f/%.1f swept %.1f mL/s V %.2f/%.2f mL | F %.2f (c %.2f) N A %.0f mm2 pmax %.1f kPa gap %.2f width %.2f mm at (%.1f %.1f %.1f) bulge %.2f mL | ch %.2f %.2f %.2f %.2f | umax %.2f slip %.4f hg %.4f cb %.1f | stress %.1f strain %.3f | Eerr %.4f W %.4f E %.4f | cells %u steps %lu wall %.0f belt %d/%d gap %u ant %.1f post %.1f mm",
-      1e3 * s.time,
-      1e6 * step_control.step(1.),
-      step_control.limiter().c_str(),
-      s.pressure,
-      1e6 * s.inflow,
-      1e6 * s.outflow,
-      1e6 * s.swept_flow,
-      1e6 * s.outflow_volume,
-      1e6 * s.swept_volume,
-      s.coaptation_force,
-      s.contact_force,
-      1e6 * s.coaptation_area,
-      1e-3 * s.coaptation_pressure,
-      1e3 * s.min_gap,
-      1e3 * s.path_width,
-      1e3 * s.path.position[0],
-      1e3 * s.path.position[1],
-      1e3 * s.path.position[2],
-      1e6 * s.bulging_volume,
-      s.chordae_tension[0],
-      s.chordae_tension[1],
-      s.chordae_tension[2],
-      s.chordae_tension[3],
-      s.largest_velocity,
-      s.slip_rms,
-      s.hourglass_rms,
-      s.checkerboard_rms,
-      1e-3 * s.mean_stress,
-      s.mean_strain,
-      s.energy_error,
-      s.work_of_ends,
-      s.stored_energy,
-      cells,
-      integrator.n_steps(),
-      timing.wall_time(),
-      int(s.coaptation.anterior.continuous),
-      int(s.coaptation.posterior.continuous),
-      s.coaptation.longest_gap,
-      1e3 * s.coaptation.anterior.mean_height,
-      1e3 * s.coaptation.posterior.mean_height);
-    log.line(line);
+    cost.solid_tets      = model.leaflet.mesh.cells.size();
+    cost.coupling_points = model.points->n_points();
+    cost.steps           = integrator.n_steps();
+    cost.evaluations     = integrator.n_evaluations();
+    cost.wall_seconds    = timing.wall_time();
+    cost.ranks       = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    cost.step_length = step_control.step(1.);
+    return cost;
   }
 } // namespace coapt

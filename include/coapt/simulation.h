@@ -5,6 +5,7 @@
 #include <coapt/base/run_parameters.h>
 #include <coapt/base/timing.h>
 #include <coapt/coupled/valve_model.h>
+#include <coapt/io/recorder.h>
 #include <coapt/metrics/valve_monitor.h>
 #include <coapt/time/explicit_integrator.h>
 #include <coapt/time/step_control.h>
@@ -35,21 +36,23 @@ namespace coapt
   class Simulation
   {
   public:
-    /** Builds the valve; throws InputError. Collective. */
+    /** Builds the valve and warns of what may go wrong; throws InputError.
+     * Writes nothing. Collective. */
     Simulation(const SimulationParameters &parameters,
                Log &log,
                MPI_Comm communicator);
 
-    /** Runs to the end time; throws NumericalError. Collective. */
+    /** Runs to the end time and writes into @p folder; throws
+     * NumericalError. Collective. */
     void
-    run();
+    run(const OutputFolder &folder);
 
   private:
     void
-    warn_of_sparse_points();
+    advance(const double until, Recorder &recorder);
 
     void
-    advance(const double until);
+    prepare_step(Recorder &recorder);
 
     void
     adapt();
@@ -58,10 +61,16 @@ namespace coapt
     update_step_limits();
 
     void
-    check_finite();
+    check_finite(Recorder &recorder);
 
-    void
-    record();
+    RunCost
+    cost() const;
+
+    /** Numbers of the timed sections. */
+    struct Sections
+    {
+      unsigned int adaptation, limits, monitor, output, integrator;
+    };
 
     SimulationParameters parameters;
     Log &log;
@@ -71,7 +80,10 @@ namespace coapt
     ValveMonitor monitor;
     ExplicitIntegrator integrator;
     StepControl step_control;
+    Sections sections;
     std::vector<double> state;
+    std::vector<double> last_finite_state;
+    double last_finite_time = 0;
   };
 } // namespace coapt
 

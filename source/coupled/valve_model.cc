@@ -6,7 +6,9 @@
 #include <coapt/geometry/valve_generator.h>
 #include <coapt/geometry/widest_path.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace coapt
 {
@@ -206,6 +208,109 @@ namespace coapt
         return band.wanted_level(center, size);
       },
       y);
+  }
+
+
+
+  double
+  ValveModel::point_spacing(const std::vector<double> &X) const
+  {
+    std::vector<double> X0;
+    for (const Point<3> &x : leaflet.mesh.points)
+      X0.insert(X0.end(), {x[0], x[1], x[2]});
+    const std::vector<Point<3>> now = mid_surface(X), then = mid_surface(X0);
+
+    // The lattice was laid with the spacing over the expected stretch.
+    double stretch = 0;
+    for (const auto &quad : leaflet.quads)
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          // Mean of two opposite edges.
+          const auto edge = [&](const std::vector<Point<3>> &x) {
+            return i == 0
+              ? (x[quad[1]] - x[quad[0]]) + (x[quad[2]] - x[quad[3]])
+              : (x[quad[3]] - x[quad[0]]) + (x[quad[2]] - x[quad[1]]);
+          };
+          stretch = std::max(stretch, edge(now).norm() / edge(then).norm());
+        }
+    return parameters.coupling.spacing * stretch /
+      parameters.coupling.expected_stretch;
+  }
+
+
+
+  void
+  ValveModel::check_resolution(Log &log) const
+  {
+    const double h          = parameters.mesh.finest_cell();
+    const double spacing    = parameters.coupling.spacing;
+    const std::string found = "Coupling: Point spacing is " +
+      std::to_string(spacing) + " cells in the deformed leaflet";
+    if (spacing >= 1.4)
+      throw InputError(found + ", but must be below 1.4");
+    if (spacing > 0.9)
+      log.warn("sparse points",
+               found + ": the leaflet will leak (at most 0.9 is tight)");
+    if (parameters.coupling.min_layers < 2)
+      log.warn("one layer",
+               "Coupling: a single layer of points leaks 1-5 mm/s");
+    if (parameters.lumen.inset < h)
+      log.warn("root",
+               "Lumen: Inset is below one fluid cell, " +
+                 std::to_string(1e3 * h) + " mm: the hinge may leak");
+    const double ratio =
+      points->largest_mass_ratio(*fluid, parameters.solid.density);
+    if (ratio > 2)
+      log.warn("mass ratio",
+               "the solid mass coupled to a fluid node is " +
+                 std::to_string(ratio) +
+                 " times the mass of that node (at "
+                 "most about 2 is stable)");
+  }
+
+
+
+  double
+  ValveModel::contact_step_limit() const
+  {
+    return std::sqrt(parameters.contact.stiffness_factor *
+                     parameters.solid.density * parameters.valve.thickness /
+                     parameters.contact.max_stiffness);
+  }
+
+
+
+  std::string
+  ValveModel::name_not_finite(const std::vector<double> &y) const
+  {
+    const auto &at = system->layout();
+    std::ostringstream name;
+    const auto bad      = std::find_if(y.begin(), y.end(), [](double value) {
+      return !std::isfinite(value);
+    });
+    const std::size_t i = bad - y.begin();
+    if (bad != y.end())
+      {
+        if (i < at.pressure())
+          name << "velocity of a fluid node";
+        else if (i < at.position())
+          {
+            const auto &cell = fluid->cell(i - at.pressure());
+            name << "pressure of the fluid cell of size " << 1e3 * cell.size
+                 << " mm at (" << 1e3 * cell.lower[0] << ", "
+                 << 1e3 * cell.lower[1] << ", " << 1e3 * cell.lower[2]
+                 << ") mm";
+          }
+        else if (i < at.multiplier())
+          name << "a node of the leaflet";
+        else
+          name << "the multiplier of a coupling point";
+      }
+    for (const std::string &found :
+         dealii::Utilities::MPI::all_gather(communicator, name.str()))
+      if (!found.empty())
+        return found;
+    return "nothing any more";
   }
 
 

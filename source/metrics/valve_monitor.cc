@@ -213,6 +213,8 @@ namespace coapt
     peaks.update(t, tensions);
     sample.chordae_tension = peaks.class_tensions(tensions);
 
+    sample.point_spacing = model.point_spacing(X);
+
     std::vector<double> stress, strain, jacobian;
     model.solid->cell_results(X.data(), stress, strain, jacobian);
     double volume = 0;

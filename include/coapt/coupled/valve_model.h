@@ -1,6 +1,7 @@
 #ifndef coapt_coupled_valve_model_h
 #define coapt_coupled_valve_model_h
 
+#include <coapt/base/log.h>
 #include <coapt/base/time_table.h>
 #include <coapt/base/timing.h>
 #include <coapt/chordae/chordae_network.h>
@@ -47,6 +48,27 @@ namespace coapt
      * state has changed. Collective. */
     bool
     follow_leaflet(std::vector<double> &y);
+
+    /**
+     * Warns where the resolution may let the leaflet leak or the computation
+     * become unstable; throws InputError where it cannot hold. Collective.
+     */
+    void
+    check_resolution(Log &log) const;
+
+    /** Largest distance between coupling points for the nodal positions @p X,
+     * in units of the finest fluid cell. */
+    double
+    point_spacing(const std::vector<double> &X) const;
+
+    /** Longest step (s) for which the largest contact stiffness is stable. */
+    double
+    contact_step_limit() const;
+
+    /** Says in words which value of the state is not finite, and where.
+     * Collective. */
+    std::string
+    name_not_finite(const std::vector<double> &y) const;
 
     /** Sets what learns of each contact impulse: its work (J). */
     void

@@ -32,6 +32,7 @@ namespace coapt
     double slip_rms            = 0;
     double hourglass_rms       = 0; // away from the leaflet
     double checkerboard_rms    = 0; // away from the leaflet
+    double point_spacing       = 0; // largest, in finest fluid cells
     double mean_stress         = 0; // von Mises
     double mean_strain         = 0; // largest logarithmic
     double energy_error        = 0;
