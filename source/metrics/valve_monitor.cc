@@ -285,9 +285,9 @@ namespace coapt
     sample.coaptation_pressure = sample.coaptation.max_traction;
     sample.min_gap             = model.last_contact.min_gap;
 
-    sample.energy_error  = audit.relative_error(y);
-    sample.work_of_ends  = audit.work().ends;
-    sample.stored_energy = stored_energy(y);
+    sample.energy_error = audit.relative_error(y);
+    sample.works        = audit.work();
+    sample.energies     = audit.energies(y);
     return sample;
   }
 } // namespace coapt

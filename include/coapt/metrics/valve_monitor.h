@@ -36,8 +36,8 @@ namespace coapt
     double mean_stress         = 0; // von Mises
     double mean_strain         = 0; // largest logarithmic
     double energy_error        = 0;
-    double work_of_ends        = 0;
-    double stored_energy       = 0;
+    EnergyAudit<3>::Works works;
+    EnergyAudit<3>::Energies energies;
     std::array<double, ChordaePeaks::n_classes> chordae_tension{};
     WidestPath path;
     CoaptationResult coaptation;
