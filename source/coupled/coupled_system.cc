@@ -202,12 +202,25 @@ namespace coapt
   void
   CoupledSystem<dim>::begin_step(const double dt)
   {
-    step_length  = dt;
-    tau          = parameters.relaxation_steps * dt;
-    coefficients = relaxation_coefficients(solid_density,
-                                           fluid_density,
-                                           tau,
-                                           parameters.damping_ratio);
+    const double relaxation_time = parameters.relaxation_steps * dt;
+    begin_step(dt,
+               relaxation_coefficients(solid_density,
+                                       fluid_density,
+                                       relaxation_time,
+                                       parameters.damping_ratio));
+    tau = relaxation_time;
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::begin_step(const double dt,
+                                 const RelaxationCoefficients &coefficients)
+  {
+    step_length        = dt;
+    tau                = 0;
+    this->coefficients = coefficients;
   }
 
 

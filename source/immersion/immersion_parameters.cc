@@ -32,7 +32,7 @@ namespace coapt
                       Double(1.5, 100.),
                       "Relaxation time of the multiplier in time steps (-).");
     prm.declare_entry("Largest relaxation time",
-                      "12e-6",
+                      "16e-6",
                       Double(1e-9, 1.),
                       "Upper bound of the relaxation time (s). The slip left "
                       "by the relaxation grows with its square.");

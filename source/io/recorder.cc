@@ -95,15 +95,6 @@ namespace coapt
   void
   Recorder::warn(const ValveSample &sample) const
   {
-    if (sample.checkerboard_rms > 10)
-      log.warn("checkerboard",
-               "alternating pressures away from the leaflet reach " +
-                 text(sample.checkerboard_rms, "Pa") + " (rms; above 10 Pa)");
-    if (sample.hourglass_rms > 1e-3)
-      log.warn("hourglass",
-               "alternating velocities away from the leaflet reach " +
-                 text(1e3 * sample.hourglass_rms, "mm/s") +
-                 " (rms; above 1 mm/s)");
     if (sample.min_gap < -0.5 * model.parameters.valve.thickness)
       log.warn("penetration",
                "the leaflet penetrates itself by " +
@@ -113,8 +104,25 @@ namespace coapt
       log.warn("stretched points",
                "coupling points are " + text(sample.point_spacing, "cells") +
                  " apart in the stretched leaflet (above 0.9 it leaks)");
-    if (sample.path_width < 0.5 * model.parameters.mesh.finest_cell() &&
-        sample.largest_velocity > 1)
+    if (sample.path_width < 0.5 * model.parameters.mesh.finest_cell())
+      warn_of_unrest(sample);
+  }
+
+
+
+  void
+  Recorder::warn_of_unrest(const ValveSample &sample) const
+  {
+    if (sample.checkerboard_rms > 10)
+      log.warn("checkerboard",
+               "alternating pressures away from the leaflet reach " +
+                 text(sample.checkerboard_rms, "Pa") + " (rms; above 10 Pa)");
+    if (sample.hourglass_rms > 1e-3)
+      log.warn("hourglass",
+               "alternating velocities away from the leaflet reach " +
+                 text(1e3 * sample.hourglass_rms, "mm/s") +
+                 " (rms; above 1 mm/s)");
+    if (sample.largest_velocity > 1)
       log.warn("jet",
                "velocities reach " + text(sample.largest_velocity, "m/s") +
                  " in a valve that is shut: a gap at an edge or hinge?");

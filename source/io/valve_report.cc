@@ -27,6 +27,7 @@ namespace coapt
       {"coaptation_pressure_max_kPa", s.coaptation_pressure / kilopascal},
       {"gap_min_mm", s.min_gap / millimetre},
       {"widest_path_mm", s.path_width / millimetre},
+      {"widest_path_gap_mm", s.path_gap / millimetre},
       {"bulging_volume_mL", s.bulging_volume / millilitre}};
     for (unsigned int c = 0; c < s.chordae_tension.size(); ++c)
       row.emplace_back("chordae_" + name_of(static_cast<ChordaClass>(c)) + "_N",
@@ -43,6 +44,7 @@ namespace coapt
                 {"work_of_chordae_J", s.works.loads},
                 {"work_of_contact_J", s.works.contact},
                 {"work_of_adaptation_J", s.works.adaptation},
+                {"work_of_relaxation_J", s.works.relaxation},
                 {"losses_fluid_J", s.works.fluid_losses},
                 {"losses_solid_J", s.works.solid_losses},
                 {"losses_slip_J", s.works.slip_losses},
@@ -179,6 +181,7 @@ namespace coapt
 
     Summary path;
     path.set("width_mm", last.path_width / millimetre);
+    path.set("gap_mm", last.path_gap / millimetre);
     path.set("place", place_name(last.path.position));
     path.set("x_mm", last.path.position[0] / millimetre);
     path.set("y_mm", last.path.position[1] / millimetre);

@@ -56,13 +56,14 @@ namespace coapt
     powers.loads = system.load_power(t, y);
     powers.fluid =
       flow.viscous + flow.hourglass + flow.checkerboard + flow.impedance;
-    powers.solid = solid.viscous_power(V.data());
-    powers.slip  = points
-                    .energy_and_power(system.relaxation(),
-                                      u.data(),
-                                      V.data(),
-                                      y + at.multiplier())
-                    .dissipation;
+    powers.solid        = solid.viscous_power(V.data());
+    const auto coupling = points.energy_and_power(system.relaxation(),
+                                                  u.data(),
+                                                  V.data(),
+                                                  y + at.multiplier());
+    powers.slip         = coupling.dissipation;
+    powers.multiplier   = coupling.energy;
+    powers.stiffness    = system.relaxation().stiffness;
     return powers;
   }
 
@@ -81,6 +82,10 @@ namespace coapt
         works.fluid_losses += half * (last.fluid + now.fluid);
         works.solid_losses += half * (last.solid + now.solid);
         works.slip_losses += half * (last.slip + now.slip);
+        // The multiplier stays when k changes, and lambda^2/(2 k) with it not.
+        works.relaxation += 0.5 *
+          (last.multiplier * (last.stiffness / now.stiffness - 1) +
+           now.multiplier * (1 - now.stiffness / last.stiffness));
         gross_input += half * (std::abs(last.ends) + std::abs(now.ends));
       }
     else
@@ -98,8 +103,8 @@ namespace coapt
   {
     if (!(gross_input > 0))
       return 0;
-    const double input =
-      works.ends + works.loads + works.contact + works.adaptation;
+    const double input = works.ends + works.loads + works.contact +
+      works.adaptation + works.relaxation;
     const double losses =
       works.fluid_losses + works.solid_losses + works.slip_losses;
     const double change = energies(y).total() - initial;

@@ -256,7 +256,10 @@ namespace coapt
       [this](const Point<3> &x) { return model.lumen.inside(x); },
       lower,
       upper);
-    sample.path_width = sample.path.width;
+    // Surfaces touch where contact holds them apart, at the clearance.
+    sample.path_gap = sample.path.width;
+    sample.path_width =
+      std::max(0., sample.path.width - model.parameters.contact.clearance);
   }
 
 

@@ -82,12 +82,9 @@ namespace coapt
   double
   StepControl::step(const double time_left) const
   {
-    // Two equal steps rather than a whole one and a tiny one, which would
-    // stiffen the relaxed multiplier.
-    if (time_left <= length)
-      return time_left;
-    if (time_left < 2 * length)
-      return 0.5 * time_left;
-    return length;
+    // Equal steps rather than whole ones and a short one, which would stiffen
+    // the relaxed multiplier for a moment.
+    const double n_steps = std::ceil(time_left / length * (1 - 1e-9));
+    return time_left / std::max(1., n_steps);
   }
 } // namespace coapt

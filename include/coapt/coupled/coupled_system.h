@@ -84,6 +84,11 @@ namespace coapt
     void
     begin_step(const double dt);
 
+    /** The same with prescribed @p coefficients, to which no relaxation time
+     * belongs: relaxation_time() is zero. */
+    void
+    begin_step(const double dt, const RelaxationCoefficients &coefficients);
+
     /** y' = f(t, y). Collective. */
     void
     rhs(const double t, const double *y, double *y_dot);

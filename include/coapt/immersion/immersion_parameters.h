@@ -22,7 +22,7 @@ namespace coapt
 
     /** Largest relaxation time (s); bounds the leak, which grows with its
      * square, and with it the time step. */
-    double max_relaxation_time = 12e-6;
+    double max_relaxation_time = 16e-6;
 
     /** Damping ratio zeta of the relaxed constraint. */
     double damping_ratio = 0.5;

@@ -47,6 +47,11 @@ namespace coapt
     void
     warn(const ValveSample &sample) const;
 
+    /** Warns of noise that does not belong into a valve that is shut; before,
+     * the flow itself alternates on coarse cells. */
+    void
+    warn_of_unrest(const ValveSample &sample) const;
+
     const OutputFolder &folder;
     const ValveModel &model;
     ValveMonitor &monitor;

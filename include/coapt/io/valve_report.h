@@ -30,6 +30,8 @@ namespace coapt
   /**
    * Collects the samples of a run and draws the verdict from them.
    *
+   * Surfaces of the leaflet that are nearer to each other than the contact
+   * clearance touch, so the width of a path is that beyond the clearance.
    * Closing time: the first sample from which on the widest path through the
    * valve stays below half a fluid cell. Leak: what flows out at the atrial
    * end minus what the leaflets sweep, mean over the last 20 ms; coaptation is

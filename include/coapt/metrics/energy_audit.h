@@ -40,6 +40,7 @@ namespace coapt
       double loads        = 0;
       double contact      = 0;
       double adaptation   = 0;
+      double relaxation   = 0; // by the change of k with the step length
       double fluid_losses = 0;
       double solid_losses = 0;
       double slip_losses  = 0;
@@ -89,6 +90,9 @@ namespace coapt
     struct Powers
     {
       double ends = 0, loads = 0, fluid = 0, solid = 0, slip = 0;
+
+      // Multiplier energy and its stiffness k, which follows the step length.
+      double multiplier = 0, stiffness = 0;
     };
 
     Powers

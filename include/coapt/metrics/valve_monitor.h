@@ -26,7 +26,8 @@ namespace coapt
     double coaptation_area     = 0;
     double coaptation_pressure = 0; // largest, filtered
     double min_gap             = 0;
-    double path_width          = 0; // widest way through the valve
+    double path_width          = 0; // widest way, clearance counts as shut
+    double path_gap            = 0; // the same between the surfaces
     double bulging_volume      = 0;
     double largest_velocity    = 0;
     double slip_rms            = 0;

@@ -12,7 +12,7 @@ namespace coapt
   struct StepParameters
   {
     /** Step over the smallest stability limit. */
-    double safety = 0.8;
+    double safety = 1.2;
 
     /** Largest step (s). */
     double max_step = 1e-4;
@@ -53,8 +53,8 @@ namespace coapt
     void
     update(const std::vector<StepLimit> &limits);
 
-    /** Step length (s), shortened to end at @p time_left (s) if that is
-     * near. */
+    /** Step length (s), shortened a little so that whole steps end after
+     * @p time_left (s). */
     double
     step(const double time_left) const;
 
