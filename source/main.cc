@@ -73,7 +73,7 @@ namespace
           break;
         case CommandLine::Action::help:
           if (is_first)
-            std::cout << CommandLine::usage();
+            std::cout << CommandLine::usage() << std::endl;
           break;
       }
   }

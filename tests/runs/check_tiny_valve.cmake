@@ -1,0 +1,86 @@
+# Runs tiny_valve.prm of the folder SOURCE with PROGRAM on 1 and 2 ranks, in
+# FOLDER. Asserts that all results are there, that the summary has its keys, and
+# that every column of the statistics is the same on both to 1e-9.
+cmake_minimum_required(VERSION 3.19)
+
+function(require condition_text)
+  if(NOT (${ARGN}))
+    message(FATAL_ERROR "${condition_text}")
+  endif()
+endfunction()
+
+function(run ranks)
+  set(folder ${FOLDER}/${ranks})
+  file(REMOVE_RECURSE ${folder})
+  file(COPY ${SOURCE}/tiny_valve.prm ${SOURCE}/pressure.csv DESTINATION ${folder})
+  execute_process(COMMAND ${MPIEXEC} -n ${ranks} ${PROGRAM} tiny_valve.prm
+    WORKING_DIRECTORY ${folder}
+    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  require("Exit code ${code} on ${ranks} ranks:\n${output}" code EQUAL 0)
+  require("Not on ${ranks} ranks:\n${output}" output MATCHES "\n${ranks} ranks? on ")
+  require("No table of timings:\n${output}" output MATCHES "Coupling +[0-9]+ ")
+endfunction()
+
+function(check_files folder)
+  foreach(name coapt.log statistics.csv parameters.prm parameters-as-read.prm
+      fields/fluid.pvd fields/leaflet.pvd fields/chordae.pvd fields/fluid_00000.pvtu
+      fields/fluid_00002.pvtu fields/leaflet_00002.vtu fields/chordae_00002.vtu)
+    require("${name} is missing in ${folder}" EXISTS ${folder}/${name})
+  endforeach()
+  # each collection names files that exist
+  foreach(kind fluid leaflet chordae)
+    file(STRINGS ${folder}/fields/${kind}.pvd lines REGEX "<DataSet")
+    list(LENGTH lines length)
+    require("${kind}.pvd has ${length} times, not 3 or 4" length GREATER 2 AND length LESS 5)
+    foreach(line ${lines})
+      string(REGEX REPLACE ".*file=\"([^\"]*)\".*" "\\1" name "${line}")
+      require("${kind}.pvd names ${name}, which is missing" EXISTS ${folder}/fields/${name})
+    endforeach()
+  endforeach()
+endfunction()
+
+# The file of parameters in use can be read again, elsewhere.
+function(check_parameters file)
+  file(REMOVE_RECURSE ${FOLDER}/again)
+  file(COPY ${file} ${SOURCE}/pressure.csv DESTINATION ${FOLDER}/again)
+  execute_process(COMMAND ${PROGRAM} --check parameters.prm
+    WORKING_DIRECTORY ${FOLDER}/again
+    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  require("parameters.prm is refused:\n${output}" code EQUAL 0)
+endfunction()
+
+function(check_summary file)
+  file(READ ${file} text)
+  foreach(key sealed closing_time_s leak_mL_per_s flow_peak_mL_per_s closing_volume_mL
+      bulging_volume_mL coaptation_area_mm2 coaptation_force_N contact_force_N
+      coaptation_pressure_max_kPa stress_mean_kPa strain_mean fluid_cells solid_tets
+      steps rhs_evaluations wall_s core_hours energy_error_relative warnings)
+    string(JSON value ERROR_VARIABLE error GET "${text}" ${key})
+    require("summary.json: ${key}: ${error}" NOT error)
+  endforeach()
+  foreach(class anterior_primary anterior_secondary posterior_primary posterior_secondary)
+    string(JSON value ERROR_VARIABLE error GET "${text}" chordae_peak_N ${class})
+    require("summary.json: chordae_peak_N: ${class}: ${error}" NOT error)
+  endforeach()
+  string(JSON steps GET "${text}" steps)
+  string(JSON evaluations GET "${text}" rhs_evaluations)
+  math(EXPR least "5 * ${steps}")
+  require("${steps} steps are fewer than 200" steps GREATER_EQUAL 200)
+  require("${evaluations} evaluations in ${steps} steps" NOT evaluations LESS least)
+  string(JSON sealed GET "${text}" sealed)
+  require("An open valve is called sealed" NOT sealed)
+endfunction()
+
+run(1)
+run(2)
+foreach(ranks 1 2)
+  check_files(${FOLDER}/${ranks}/results)
+  check_summary(${FOLDER}/${ranks}/results/summary.json)
+endforeach()
+check_parameters(${FOLDER}/1/results/parameters.prm)
+
+execute_process(COMMAND awk -F, -f ${SOURCE}/compare_statistics.awk
+  ${FOLDER}/1/results/statistics.csv ${FOLDER}/2/results/statistics.csv
+  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+message("${output}")
+require("The statistics of 1 and 2 ranks differ." code EQUAL 0)
