@@ -1,0 +1,9 @@
+# Asserts that doc/parameters.md is what PROGRAM has to say today.
+cmake_minimum_required(VERSION 3.18)
+execute_process(COMMAND ${PROGRAM} --write-defaults
+  COMMAND awk -f ${SOURCE}/tools/parameters.awk
+  RESULT_VARIABLE code OUTPUT_VARIABLE now)
+file(READ ${SOURCE}/doc/parameters.md manual)
+if(NOT code EQUAL 0 OR NOT now STREQUAL manual)
+  message(FATAL_ERROR "doc/parameters.md is stale: run tools/write_parameters.sh")
+endif()
