@@ -2,7 +2,9 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <coapt/base/exceptions.h>
+#include <coapt/base/first_rank.h>
 #include <coapt/base/version.h>
+#include <coapt/geometry/valve_generator.h>
 #include <coapt/io/command_line.h>
 #include <coapt/io/console.h>
 #include <coapt/io/output_folder.h>
@@ -14,6 +16,32 @@ namespace
 {
   using namespace coapt;
 
+  /** Writes the valve as it is generated, beside where results would go. */
+  void
+  preview(const SimulationParameters &parameters,
+          Log &log,
+          MPI_Comm communicator)
+  {
+    Timing timing;
+    const ValveModel model(parameters.model, timing, communicator);
+    model.check_resolution(log);
+    const std::string folder = parameters.run.output_folder + "/geometry";
+    on_first_rank(communicator, [&]() -> std::string {
+      try
+        {
+          write_valve_preview(folder, model.leaflet, model.chordae->chordae());
+        }
+      catch (const InputError &error)
+        {
+          return error.what();
+        }
+      return "";
+    });
+    log.line("The valve is in " + folder);
+  }
+
+
+
   /** Reads the parameters and builds the valve, and with Action::run, runs. */
   void
   treat_file(const CommandLine &command, MPI_Comm communicator)
@@ -23,6 +51,8 @@ namespace
     SimulationParameters parameters;
     SimulationParameters::declare_parameters(prm);
     parameters.read(command.file, prm);
+    if (command.action == CommandLine::Action::preview)
+      return preview(parameters, log, communicator);
 
     const OutputFolder folder(parameters.run.output_folder,
                               parameters.run.overwrite,
@@ -61,6 +91,7 @@ namespace
       {
         case CommandLine::Action::run:
         case CommandLine::Action::check:
+        case CommandLine::Action::preview:
           treat_file(command, communicator);
           break;
         case CommandLine::Action::write_defaults:

@@ -88,9 +88,10 @@ namespace coapt
         advance(std::min(parameters.run.end_time,
                          integrator.time() + parameters.run.output_interval),
                 recorder);
+        check_finite(recorder);
         record();
       }
-    recorder.write_fields(integrator.time(), state.data());
+    recorder.finish(integrator.time(), state.data());
     recorder.write_summary(cost());
     log.line(timing.summary(communicator));
   }
@@ -106,7 +107,16 @@ namespace coapt
         const double dt  = step_control.step(until - integrator.time());
         const auto scope = timing.scope(sections.integrator);
         model.system->begin_step(dt);
-        integrator.step(dt);
+        last_step = dt;
+        try
+          {
+            integrator.step(dt);
+          }
+        catch (const NumericalError &error)
+          {
+            // Positions, where contact finds out, are the same on all ranks.
+            stop(recorder, error.what());
+          }
       }
   }
 
@@ -145,7 +155,8 @@ namespace coapt
       {
         monitor.note_adaptation(before, state.data());
         integrator.start(integrator.time(), state);
-        last_finite_state.clear();
+        last_finite_state = state;
+        last_finite_time  = integrator.time();
       }
   }
 
@@ -184,12 +195,22 @@ namespace coapt
         return;
       }
 
-    if (last_finite_state.size() == state.size())
+    stop(recorder, "the state is not finite");
+  }
+
+
+
+  void
+  Simulation::stop(Recorder &recorder, const std::string &reason)
+  {
+    // The copy may be of before a redistribution of points, which changes the
+    // length of the multiplier alone; that is in no field.
+    if (!last_finite_state.empty())
       recorder.write_fields(last_finite_time, last_finite_state.data());
     throw NumericalError(
-      "the state is not finite at t = " + std::to_string(integrator.time()) +
-      " s (" + model.name_not_finite(state) +
-      "); the step was limited by the " + step_control.limiter());
+      reason + " at t = " + std::to_string(integrator.time()) + " s (" +
+      model.name_not_finite(state) + "); the step was limited by the " +
+      step_control.limiter());
   }
 
 
@@ -198,8 +219,7 @@ namespace coapt
   Simulation::cost() const
   {
     RunCost cost;
-    cost.fluid_cells =
-      dealii::Utilities::MPI::sum(model.fluid->n_owned_cells(), communicator);
+    cost.fluid_cells     = model.n_active_cells();
     cost.solid_tets      = model.leaflet.mesh.cells.size();
     cost.coupling_points = model.points->n_points();
     cost.steps           = integrator.n_steps();

@@ -63,6 +63,10 @@ namespace coapt
     void
     check_finite(Recorder &recorder);
 
+    /** Writes the last finite fields and throws. */
+    [[noreturn]] void
+    stop(Recorder &recorder, const std::string &reason);
+
     RunCost
     cost() const;
 
@@ -84,6 +88,7 @@ namespace coapt
     std::vector<double> state;
     std::vector<double> last_finite_state;
     double last_finite_time = 0;
+    double last_step        = 0;
   };
 } // namespace coapt
 

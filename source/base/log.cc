@@ -27,7 +27,7 @@ namespace coapt
     file.open(name);
     file << lines_before_open << std::flush;
     if (!file)
-      throw InputError(name + ": cannot be written");
+      throw std::runtime_error(name + ": cannot be written");
     lines_before_open.clear();
   }
 

@@ -230,12 +230,16 @@ namespace coapt
   CoupledSystem<dim>::accumulate_coupling_impulse()
   {
     // At this point of the evaluation solid_force holds the coupling alone.
-    // Of the five stages of KG5(3), the first and the last enter the step.
-    const double weight = stage == 0 ? 0.25 : (stage == 4 ? 0.75 : 0.);
-    ++stage;
-    if (weight > 0)
+    // Of the five stages of KG5(3), the first and the last enter the step. The
+    // first is kept until the last, for it is evaluated twice where the
+    // integration starts anew, and before the length of the step is known.
+    if (stage == 0)
+      first_stage_force = solid_force;
+    else if (stage == 4)
       for (unsigned int i = 0; i < solid_force.size(); ++i)
-        coupling_impulse[i] += weight * step_length * solid_force[i];
+        coupling_impulse[i] +=
+          step_length * (0.25 * first_stage_force[i] + 0.75 * solid_force[i]);
+    ++stage;
   }
 
 

@@ -270,6 +270,17 @@ namespace coapt
 
 
 
+  unsigned int
+  ValveModel::n_active_cells() const
+  {
+    unsigned int n = 0;
+    for (unsigned int c = 0; c < fluid->n_owned_cells(); ++c)
+      n += fluid->is_active_cell(c);
+    return dealii::Utilities::MPI::sum(n, communicator);
+  }
+
+
+
   double
   ValveModel::contact_step_limit() const
   {
@@ -285,26 +296,27 @@ namespace coapt
   {
     const auto &at = system->layout();
     std::ostringstream name;
-    const auto bad      = std::find_if(y.begin(), y.end(), [](double value) {
+    const auto is_bad = [](const double value) {
       return !std::isfinite(value);
-    });
-    const std::size_t i = bad - y.begin();
-    if (bad != y.end())
+    };
+    const auto begin = y.begin() + at.pressure(),
+               end   = y.begin() + at.position();
+    // A bad pressure makes its nodes bad, so that it names the place.
+    const auto pressure = std::find_if(begin, end, is_bad);
+    const auto any      = std::find_if(y.begin(), y.end(), is_bad);
+    if (pressure != end)
       {
-        if (i < at.pressure())
-          name << "velocity of a fluid node";
-        else if (i < at.position())
-          {
-            const auto &cell = fluid->cell(i - at.pressure());
-            name << "pressure of the fluid cell of size " << 1e3 * cell.size
-                 << " mm at (" << 1e3 * cell.lower[0] << ", "
-                 << 1e3 * cell.lower[1] << ", " << 1e3 * cell.lower[2]
-                 << ") mm";
-          }
-        else if (i < at.multiplier())
-          name << "a node of the leaflet";
-        else
-          name << "the multiplier of a coupling point";
+        const auto &cell = fluid->cell(pressure - begin);
+        name << "pressure of the fluid cell of " << 1e3 * cell.size
+             << " mm at (" << 1e3 * cell.lower[0] << ", " << 1e3 * cell.lower[1]
+             << ", " << 1e3 * cell.lower[2] << ") mm";
+      }
+    else if (any != y.end())
+      {
+        const std::size_t i = any - y.begin();
+        name << (i < at.pressure()       ? "velocity of a fluid node"
+                   : i < at.multiplier() ? "a node of the leaflet"
+                                         : "multiplier of a coupling point");
       }
     for (const std::string &found :
          dealii::Utilities::MPI::all_gather(communicator, name.str()))

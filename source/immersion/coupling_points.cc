@@ -268,15 +268,17 @@ namespace coapt
   CouplingPoints<dim>::largest_mass_ratio(const FluidOperator<dim> &fluid,
                                           const double solid_density) const
   {
-    std::vector<double> coupled(fluid.n_local_nodes(), 0.);
+    // What gathers forces and divides them by the mass does so with masses.
+    std::vector<double> coupled(dim * fluid.n_local_nodes(), 0.);
+    std::vector<double> ratio(dim * fluid.n_owned_nodes());
     for (const Stencil &s : stencils)
       for (unsigned int i = 0; i < n_fluid; ++i)
-        coupled[s.fluid_nodes[i]] +=
-          s.fluid_weights[i] * s.volume * solid_density;
-    double largest = 0;
-    for (unsigned int n = 0; n < fluid.n_owned_nodes(); ++n)
-      if (coupled[n] > 0 && fluid.nodal_mass(n) > 0)
-        largest = std::max(largest, coupled[n] / fluid.nodal_mass(n));
+        for (unsigned int d = 0; d < dim; ++d)
+          coupled[dim * s.fluid_nodes[i] + d] +=
+            s.fluid_weights[i] * s.volume * solid_density;
+    fluid.finish(coupled.data(), ratio.data());
+    const double largest =
+      ratio.empty() ? 0. : *std::max_element(ratio.begin(), ratio.end());
     return dealii::Utilities::MPI::max(largest, communicator);
   }
 

@@ -1,3 +1,4 @@
+#include <coapt/base/exceptions.h>
 #include <coapt/immersion/immersion_parameters.h>
 
 namespace coapt
@@ -56,6 +57,14 @@ namespace coapt
     max_relaxation_time = prm.get_double("Largest relaxation time");
     damping_ratio       = prm.get_double("Damping ratio");
     prm.leave_subsection();
+
+    // The rate of the constraint is G = 2 beta / rho*, and G dt must stay
+    // below what the integrator bears on the real axis.
+    const double rate = 4 * damping_ratio / relaxation_steps, largest = 2.5;
+    if (rate > largest)
+      throw InputError("Coupling: 4 Damping ratio / Relaxation steps is " +
+                       std::to_string(rate) +
+                       ", but must be at most 2.5 to be stable");
   }
 
 

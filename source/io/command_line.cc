@@ -11,6 +11,7 @@ namespace coapt
   {
     static const std::map<std::string, Action> options = {
       {"--check", Action::check},
+      {"--preview", Action::preview},
       {"--write-defaults", Action::write_defaults},
       {"--version", Action::version},
       {"--help", Action::help},
@@ -31,8 +32,8 @@ namespace coapt
           files.push_back(argument);
       }
 
-    const bool needs_file =
-      result.action == Action::run || result.action == Action::check;
+    const bool needs_file = result.action == Action::run ||
+      result.action == Action::check || result.action == Action::preview;
     if (files.size() != (needs_file ? 1 : 0))
       throw InputError(
         std::to_string(files.size()) + " parameter file(s) given, " +
@@ -50,6 +51,8 @@ namespace coapt
     return "coapt FILE.prm           runs a parameter file\n"
            "coapt --check FILE.prm   checks a parameter file and all that it "
            "names, and runs nothing\n"
+           "coapt --preview FILE.prm writes the valve for a look at it into "
+           "geometry/ of the output folder\n"
            "coapt --write-defaults   prints all parameters with their defaults "
            "and documentation\n"
            "coapt --version          prints the versions of program and "

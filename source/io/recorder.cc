@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <coapt/base/exceptions.h>
 #include <coapt/io/recorder.h>
 
 #include <cstdio>
@@ -59,7 +60,17 @@ namespace coapt
       {
         write_fields(t, y);
         next_fields += fields_interval;
+        last_fields = t;
       }
+  }
+
+
+
+  void
+  Recorder::finish(const double t, const double *y)
+  {
+    if (fields_interval > 0 && t > last_fields)
+      write_fields(t, y);
   }
 
 
@@ -104,6 +115,12 @@ namespace coapt
       log.warn("stretched points",
                "coupling points are " + text(sample.point_spacing, "cells") +
                  " apart in the stretched leaflet (above 0.9 it leaks)");
+    // Replicated positions: all ranks stop alike.
+    if (sample.point_spacing >= 1.4)
+      throw NumericalError("coupling points are " +
+                           text(sample.point_spacing, "cells") +
+                           " apart in the stretched leaflet (1.4 and more is "
+                           "unstable)");
     if (sample.path_width < 0.5 * model.parameters.mesh.finest_cell())
       warn_of_unrest(sample);
   }

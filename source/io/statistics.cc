@@ -13,7 +13,7 @@ namespace coapt
       return;
     stream.open(file);
     if (!stream)
-      throw InputError(file + ": cannot be written");
+      throw std::runtime_error(file + ": cannot be written");
     stream << std::setprecision(12);
   }
 
@@ -44,6 +44,6 @@ namespace coapt
       stream << (i == 0 ? "" : ",") << row[i].second;
     stream << std::endl;
     if (!stream)
-      throw NumericalError(file + ": writing failed; is the disk full?");
+      throw std::runtime_error(file + ": writing failed; is the disk full?");
   }
 } // namespace coapt

@@ -146,6 +146,6 @@ namespace coapt
     std::ofstream stream(file);
     stream << json() << std::endl;
     if (!stream)
-      throw NumericalError(file + ": writing failed; is the disk full?");
+      throw std::runtime_error(file + ": writing failed; is the disk full?");
   }
 } // namespace coapt

@@ -123,13 +123,13 @@ namespace coapt
   double
   ValveReport::leak() const
   {
-    const ValveSample &last = samples.back();
-    const auto first =
-      std::find_if(samples.begin(), samples.end(), [&](const ValveSample &s) {
-        return s.time > last.time - window * (1 + 1e-6);
-      });
-    if (first->time >= last.time)
-      return 0;
+    const ValveSample &last  = samples.back();
+    const ValveSample *first = &samples.front();
+    for (const ValveSample &sample : samples)
+      if (sample.time <= last.time - window * (1 - 1e-6))
+        first = &sample;
+    if (!(first->time < last.time))
+      return std::numeric_limits<double>::quiet_NaN();
     return ((last.outflow_volume - first->outflow_volume) -
             (last.swept_volume - first->swept_volume)) /
       (last.time - first->time);
@@ -156,21 +156,18 @@ namespace coapt
       }
     const CoaptationResult belt = monitor.coaptation(contact, total);
 
-    double peak_flow = 0;
-    for (const ValveSample &sample : samples)
-      peak_flow = std::max(peak_flow, sample.outflow);
-
     Summary result;
     result.set("sealed", shut.closed && leak() <= largest_leak);
     result.set("closing_time_s", shut.closed ? shut.time : none);
     result.set("leak_mL_per_s", leak() / millilitre);
-    result.set("flow_peak_mL_per_s", peak_flow / millilitre);
+    result.set("flow_peak_mL_per_s", monitor.peak_outflow() / millilitre);
     result.set("closing_volume_mL",
                shut.closed ? shut.volume / millilitre : none);
     result.set("bulging_volume_mL", last.bulging_volume / millilitre);
     result.set("coaptation_area_mm2", belt.area / square_millimetre);
     result.set("coaptation_force_N", belt.force);
     result.set("contact_force_N", belt.contact_force);
+    result.set("contact_fraction", belt.contact_fraction);
     result.set("coaptation_pressure_max_kPa", belt.max_traction / kilopascal);
     result.set("coaptation_belt_continuous", belt.continuous);
     result.set("coaptation_belt_longest_gap_elements", belt.longest_gap);

@@ -57,7 +57,7 @@ namespace coapt
     {
       stream.close();
       if (!stream)
-        throw NumericalError(file + ": writing failed; is the disk full?");
+        throw std::runtime_error(file + ": writing failed; is the disk full?");
     }
 
     const char *const file_attributes =

@@ -1,5 +1,6 @@
 #include <coapt/metrics/energy_audit.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace coapt
@@ -86,7 +87,7 @@ namespace coapt
         works.relaxation += 0.5 *
           (last.multiplier * (last.stiffness / now.stiffness - 1) +
            now.multiplier * (1 - now.stiffness / last.stiffness));
-        gross_input += half * (std::abs(last.ends) + std::abs(now.ends));
+        largest_input = std::max(largest_input, std::abs(works.ends));
       }
     else
       initial = energies(y).total();
@@ -101,14 +102,14 @@ namespace coapt
   double
   EnergyAudit<dim>::relative_error(const double *y) const
   {
-    if (!(gross_input > 0))
+    if (!(largest_input > 0))
       return 0;
     const double input = works.ends + works.loads + works.contact +
       works.adaptation + works.relaxation;
     const double losses =
       works.fluid_losses + works.solid_losses + works.slip_losses;
     const double change = energies(y).total() - initial;
-    return std::abs(input - losses - change) / gross_input;
+    return std::abs(input - losses - change) / largest_input;
   }
 
 

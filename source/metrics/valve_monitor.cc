@@ -56,10 +56,16 @@ namespace coapt
         outflow_volume += 0.5 * (t - last_time) * (last_outflow + outflow);
         total_swept += swept_volume(surface_points, points, model.surface);
       }
-    started        = true;
-    last_time      = t;
-    last_outflow   = outflow;
-    surface_points = points;
+    peaks.update(
+      t,
+      model.chordae->tensions(t,
+                              model.system->solid_positions(y).data(),
+                              model.system->solid_velocities(y).data()));
+    largest_outflow = std::max(largest_outflow, outflow);
+    started         = true;
+    last_time       = t;
+    last_outflow    = outflow;
+    surface_points  = points;
     audit.sample(t, y);
   }
 
@@ -210,7 +216,6 @@ namespace coapt
   {
     const std::vector<double> tensions =
       model.chordae->tensions(t, X.data(), V.data());
-    peaks.update(t, tensions);
     sample.chordae_tension = peaks.class_tensions(tensions);
 
     sample.point_spacing = model.point_spacing(X);
@@ -255,7 +260,11 @@ namespace coapt
       model.parameters.valve.thickness,
       [this](const Point<3> &x) { return model.lumen.inside(x); },
       lower,
-      upper);
+      upper,
+      0.25e-3,
+      std::max(2e-3,
+               model.parameters.contact.clearance +
+                 2 * model.parameters.mesh.finest_cell()));
     // Surfaces touch where contact holds them apart, at the clearance.
     sample.path_gap = sample.path.width;
     sample.path_width =

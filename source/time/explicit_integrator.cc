@@ -83,13 +83,12 @@ namespace coapt
 
 
 
-    /** Error weights of one: steps are set by the caller, and nothing depends
-     * on them. They are written once and left alone in later steps. */
+    /** Error weights of one: the caller sets the steps, nothing depends on
+     * them. */
     int
     unit_weights(N_Vector, N_Vector weights, void *)
     {
-      if (NV_LOCLENGTH_P(weights) > 0 && NV_DATA_P(weights)[0] != 1.)
-        N_VConst(1., weights);
+      N_VConst(1., weights);
       return 0;
     }
 

@@ -13,9 +13,11 @@ namespace coapt
     using dealii::Patterns::Integer;
     prm.enter_subsection("Time");
     prm.declare_entry("Step safety",
-                      "0.8",
+                      "1.2",
                       Double(0.01, 1.5),
-                      "Step length over the smallest stability limit (-).");
+                      "Step length over the smallest stability limit (-). The "
+                      "bound of the solid, which decides, is 1.6 times too "
+                      "strict for the material HGO.");
     prm.declare_entry("Largest step",
                       "1e-4",
                       Double(1e-12, 1.),

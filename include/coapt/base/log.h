@@ -33,7 +33,8 @@ namespace coapt
     /**
      * Starts the log file, first with what has been logged so far.
      *
-     * @throws InputError if the file cannot be written.
+     * @throws std::runtime_error on the first rank alone if the file cannot
+     * be written.
      */
     void
     open(const std::string &file);

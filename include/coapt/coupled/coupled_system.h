@@ -37,8 +37,7 @@ namespace coapt
       std::function<void(const double *X, double *V, double dt)>;
 
     /**
-     * @p pinned nodes are held; @p densities of solid and fluid are taken from
-     * the operators' parameters by the caller.
+     * @p pinned nodes are held. Densities in kg/m^3, those of the operators.
      */
     CoupledSystem(FluidOperator<dim> &fluid,
                   const SolidOperator<dim> &solid,
@@ -80,7 +79,9 @@ namespace coapt
     redistribute_points(std::vector<double> &y);
 
     /** Sets the length of the step that follows (s) and with it the
-     * coefficients of the relaxed multiplier. */
+     * coefficients of the relaxed multiplier. ERKStep evaluates the first
+     * stage of a step at the end of the one before, so that stage still has
+     * the coefficients of that step; steps change slowly. */
     void
     begin_step(const double dt);
 
@@ -211,7 +212,7 @@ namespace coapt
     bool points_left   = false;
 
     // Work arrays: the solid replicated, the fluid with its ghosts.
-    std::vector<double> X, V, solid_force, coupling_impulse;
+    std::vector<double> X, V, solid_force, first_stage_force, coupling_impulse;
     std::vector<double> fluid_velocity, fluid_force;
   };
 } // namespace coapt

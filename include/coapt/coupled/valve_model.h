@@ -61,6 +61,10 @@ namespace coapt
     double
     point_spacing(const std::vector<double> &X) const;
 
+    /** Number of cells that carry fluid, of all ranks. Collective. */
+    unsigned int
+    n_active_cells() const;
+
     /** Longest step (s) for which the largest contact stiffness is stable. */
     double
     contact_step_limit() const;

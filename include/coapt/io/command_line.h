@@ -20,6 +20,7 @@ namespace coapt
     {
       run,
       check,
+      preview,
       write_defaults,
       version,
       help
@@ -27,7 +28,7 @@ namespace coapt
 
     Action action = Action::help;
 
-    /** The parameter file, for run and check. */
+    /** The parameter file, for run, check and preview. */
     std::string file;
 
     /**

@@ -39,6 +39,11 @@ namespace coapt
     void
     write_fields(const double t, const double *y);
 
+    /** Writes the fields at the end of the run, unless that has been done or
+     * none are wanted. Collective. */
+    void
+    finish(const double t, const double *y);
+
     /** Writes summary.json. */
     void
     write_summary(const RunCost &cost) const;
@@ -62,6 +67,7 @@ namespace coapt
     ValveReport report;
     double fields_interval;
     double next_fields = 0;
+    double last_fields = -1;
   };
 } // namespace coapt
 

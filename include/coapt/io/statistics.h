@@ -24,7 +24,8 @@ namespace coapt
     /**
      * Starts the table in @p file.
      *
-     * @throws InputError on the first rank if it cannot be written.
+     * @throws std::runtime_error on the first rank alone if it cannot be
+     * written; all ranks must then be ended.
      */
     Statistics(const std::string &file, const MPI_Comm communicator);
 

@@ -40,7 +40,7 @@ namespace coapt
     /**
      * Writes the JSON text to @p file. Call it on one rank.
      *
-     * @throws NumericalError if that fails.
+     * @throws std::runtime_error if that fails, on this rank alone.
      */
     void
     write(const std::string &file) const;

@@ -81,8 +81,8 @@ namespace coapt
       return works;
     }
 
-    /** |work - change - dissipation| over the work of the ends (in absolute
-     * value, integrated) for the state @p y of the last sample. Collective. */
+    /** |work - change - dissipation| over the largest work of the ends so far,
+     * for the state @p y of the last sample. Collective. */
     double
     relative_error(const double *y) const;
 
@@ -103,10 +103,10 @@ namespace coapt
     const SolidOperator<dim> &solid;
     const CouplingPoints<dim> &points;
 
-    bool started       = false;
-    double last_time   = 0;
-    double initial     = 0;
-    double gross_input = 0;
+    bool started         = false;
+    double last_time     = 0;
+    double initial       = 0;
+    double largest_input = 0;
     Powers last;
     Works works;
   };

@@ -97,11 +97,11 @@ namespace coapt
       return peaks;
     }
 
-    /** The books of energy. */
-    const EnergyAudit<3> &
-    energy() const
+    /** Largest flow out at the atrial end so far (m^3/s). */
+    double
+    peak_outflow() const
     {
-      return audit;
+      return largest_outflow;
     }
 
     /** Evaluates coaptation from given mean tractions of the columns. */
@@ -130,11 +130,12 @@ namespace coapt
     ChordaePeaks peaks;
     Coaptation belt;
 
-    bool started          = false;
-    double last_time      = 0;
-    double last_outflow   = 0;
-    double outflow_volume = 0;
-    double total_swept    = 0;
+    bool started           = false;
+    double last_time       = 0;
+    double last_outflow    = 0;
+    double outflow_volume  = 0;
+    double total_swept     = 0;
+    double largest_outflow = 0;
     std::vector<dealii::Point<3>> surface_points;
 
     std::vector<double> column_contact_pressure;
