@@ -21,8 +21,8 @@ namespace coapt
     std::string pressure_unit  = "from file";
 
     /** Impedances of the two ends (Pa s/m). */
-    double ventricular_impedance = 15900.;
-    double atrial_impedance      = 15900.;
+    double ventricular_impedance = 12000.;
+    double atrial_impedance      = 12000.;
 
     /** Declares the parameters. */
     static void
