@@ -1,6 +1,9 @@
 # Calls PROGRAM with ARGUMENTS; asserts the exit code CODE and that what it
-# prints matches REGEX.
+# prints matches REGEX, and that there are FILES afterwards that were not before.
 cmake_minimum_required(VERSION 3.18)
+foreach(file ${FILES})
+  file(REMOVE ${file})
+endforeach()
 execute_process(COMMAND ${PROGRAM} ${ARGUMENTS}
   RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(NOT code STREQUAL CODE)
@@ -9,3 +12,8 @@ endif()
 if(NOT output MATCHES "${REGEX}")
   message(FATAL_ERROR "Nothing matches '${REGEX}':\n${output}")
 endif()
+foreach(file ${FILES})
+  if(NOT EXISTS ${file})
+    message(FATAL_ERROR "${file} is missing:\n${output}")
+  endif()
+endforeach()
