@@ -41,7 +41,7 @@ namespace coapt
 
     /** Nodes in the sphere of influence, and their weights, of sum one. */
     std::vector<unsigned int> nodes;
-    std::vector<double>       weights;
+    std::vector<double> weights;
   };
 } // namespace coapt
 

@@ -38,10 +38,11 @@ namespace coapt
    * to that of the mesh, quadrilateral by quadrilateral. Points are ordered by
    * quadrilateral.
    */
-  std::vector<SamplePoint<3>> leaflet_lattice(const Leaflet &leaflet,
-                                              double spacing,
-                                              double stretch          = 1.35,
-                                              unsigned int min_layers = 2);
+  std::vector<SamplePoint<3>>
+  leaflet_lattice(const Leaflet &leaflet,
+                  double spacing,
+                  double stretch          = 1.35,
+                  unsigned int min_layers = 2);
 
   /**
    * Points that fill any mesh: each simplex is cut into n^dim parts of equal
@@ -49,8 +50,8 @@ namespace coapt
    * (1942) cuts a cube, with a point at the centroid of each.
    */
   template <int dim>
-  std::vector<SamplePoint<dim>> simplex_lattice(const SimplexMesh<dim> &mesh,
-                                                double spacing);
+  std::vector<SamplePoint<dim>>
+  simplex_lattice(const SimplexMesh<dim> &mesh, double spacing);
 } // namespace coapt
 
 #endif

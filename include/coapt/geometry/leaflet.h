@@ -14,10 +14,10 @@ namespace coapt
   /** Parts of the valve's surface. */
   enum class Region : unsigned int
   {
-    anterior           = 0,
-    posterior          = 1,
-    commissure         = 2,
-    root               = 3 // between annulus line and the outer strap
+    anterior   = 0,
+    posterior  = 1,
+    commissure = 2,
+    root       = 3 // between annulus line and the outer strap
   };
 
   /**

@@ -22,10 +22,12 @@ namespace coapt
     double margin = 2e-3;
 
     /** Declares the entries of the subsection "Lumen". */
-    static void declare_parameters(dealii::ParameterHandler &prm);
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
 
     /** Reads them. */
-    void parse_parameters(dealii::ParameterHandler &prm);
+    void
+    parse_parameters(dealii::ParameterHandler &prm);
   };
 
   /**
@@ -46,19 +48,25 @@ namespace coapt
 
     /** Distance to the wall (m), exact, negative in the lumen. Does not depend
      * on z. */
-    double signed_distance(const dealii::Point<3> &p) const;
+    double
+    signed_distance(const dealii::Point<3> &p) const;
 
     /** Whether @p p is in the lumen: the sign only, and much cheaper. */
-    bool inside(const dealii::Point<3> &p) const;
+    bool
+    inside(const dealii::Point<3> &p) const;
 
     /** Lower and upper corner of the box that contains the lumen, the annulus
      * and a margin sideways, and ends with the lumen in z. */
-    dealii::Point<3> lower() const;
-    dealii::Point<3> upper() const;
+    dealii::Point<3>
+    lower() const;
+    dealii::Point<3>
+    upper() const;
 
     /** Semi-axes of the wall (m). */
-    double semi_axis_x() const;
-    double semi_axis_y() const;
+    double
+    semi_axis_x() const;
+    double
+    semi_axis_y() const;
 
   private:
     double a, b;

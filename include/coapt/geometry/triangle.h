@@ -9,9 +9,10 @@ namespace coapt
   {
     /** Fraction of the way from @p a to @p b at which the segment is nearest
      * to @p p; zero if the segment is a point. */
-    inline double nearest_fraction(const dealii::Point<3> &p,
-                                   const dealii::Point<3> &a,
-                                   const dealii::Point<3> &b)
+    inline double
+    nearest_fraction(const dealii::Point<3> &p,
+                     const dealii::Point<3> &a,
+                     const dealii::Point<3> &b)
     {
       const dealii::Tensor<1, 3> edge = b - a;
       const double square             = edge * edge;
@@ -31,11 +32,12 @@ namespace coapt
    * it to the triangle enters through an edge that is opposite to a negative
    * coordinate: only these edges (one or two) are looked at.
    */
-  inline dealii::Point<3> closest_point_on_triangle(const dealii::Point<3> &p,
-                                                    const dealii::Point<3> &a,
-                                                    const dealii::Point<3> &b,
-                                                    const dealii::Point<3> &c,
-                                                    double weights[3])
+  inline dealii::Point<3>
+  closest_point_on_triangle(const dealii::Point<3> &p,
+                            const dealii::Point<3> &a,
+                            const dealii::Point<3> &b,
+                            const dealii::Point<3> &c,
+                            double weights[3])
   {
     const dealii::Tensor<1, 3> e1 = b - a, e2 = c - a, d = p - a;
     const double e11 = e1 * e1, e12 = e1 * e2, e22 = e2 * e2;

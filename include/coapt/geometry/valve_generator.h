@@ -11,10 +11,12 @@
 namespace coapt
 {
   /** Point of the annulus (m) at angle @p t (rad). */
-  dealii::Point<3> annulus_point(const ValveParameters &valve, double t);
+  dealii::Point<3>
+  annulus_point(const ValveParameters &valve, double t);
 
   /** Height of the leaflet (m) at angle @p t (rad), annulus to free edge. */
-  double leaflet_height(const ValveParameters &valve, double t);
+  double
+  leaflet_height(const ValveParameters &valve, double t);
 
   /**
    * Point of the open mid-surface (m) at angle @p t (rad) and fraction @p s of
@@ -47,13 +49,15 @@ namespace coapt
    * @throws InputError from ValveParameters::check(), and if the shape folds
    *   over itself so that a tetrahedron has no positive volume.
    */
-  Leaflet generate_leaflet(const ValveParameters &valve);
+  Leaflet
+  generate_leaflet(const ValveParameters &valve);
 
   /**
    * Names of all chordae before any is removed: R-P1, ..., R-S1, ..., then the
    * same with L.
    */
-  std::vector<std::string> chordae_ids(const ValveParameters &valve);
+  std::vector<std::string>
+  chordae_ids(const ValveParameters &valve);
 
   /**
    * Builds the chordae: of each primary and secondary one the mesh column
@@ -70,9 +74,10 @@ namespace coapt
    * @throws InputError if an id to be removed does not exist, or if a chorda
    *   is attached to nothing.
    */
-  std::vector<Chorda> generate_chordae(const ValveParameters &valve,
-                                       const Leaflet &leaflet,
-                                       const std::vector<double> &nodal_mass);
+  std::vector<Chorda>
+  generate_chordae(const ValveParameters &valve,
+                   const Leaflet &leaflet,
+                   const std::vector<double> &nodal_mass);
 
   /**
    * Writes what has been generated, so that it can be looked at before a run:
@@ -83,9 +88,10 @@ namespace coapt
    *
    * @throws InputError if a file cannot be written.
    */
-  void write_valve_preview(const std::string &folder,
-                           const Leaflet &leaflet,
-                           const std::vector<Chorda> &chordae);
+  void
+  write_valve_preview(const std::string &folder,
+                      const Leaflet &leaflet,
+                      const std::vector<Chorda> &chordae);
 } // namespace coapt
 
 #endif
