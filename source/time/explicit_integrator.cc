@@ -9,11 +9,14 @@ namespace coapt
   namespace
   {
     void
-    check_flag(const int flag, const std::string &call)
+    check_flag(const int flag,
+               const std::string &call,
+               const std::string &reason = "")
     {
       if (flag < 0)
         throw NumericalError("SUNDIALS: " + call + " failed with code " +
-                             std::to_string(flag));
+                             std::to_string(flag) +
+                             (reason.empty() ? "" : ": " + reason));
     }
 
 
@@ -161,6 +164,11 @@ namespace coapt
     memory = ERKStepCreate(&ExplicitIntegrator::evaluate, t, vector, context);
     check_flag(memory ? 0 : -1, "ERKStepCreate");
 
+    check_flag(ERKStepSetErrHandlerFn(memory,
+                                      &ExplicitIntegrator::keep_message,
+                                      this),
+               "ERKStepSetErrHandlerFn");
+
     const ARKodeButcherTable table = kinnmark_gray_table();
     check_flag(ERKStepSetTable(memory, table), "ERKStepSetTable");
     ARKodeButcherTable_Free(table);
@@ -193,12 +201,24 @@ namespace coapt
         error                            = nullptr;
         std::rethrow_exception(pending);
       }
-    check_flag(flag, "ERKStepEvolve");
+    check_flag(flag, "ERKStepEvolve", message);
     if (!(reached > current_time))
       throw NumericalError("SUNDIALS made no progress at t = " +
                            std::to_string(current_time) + " s");
     current_time = reached;
     ++steps;
+  }
+
+
+
+  void
+  ExplicitIntegrator::keep_message(int,
+                                   const char *,
+                                   const char *,
+                                   char *message,
+                                   void *self)
+  {
+    static_cast<ExplicitIntegrator *>(self)->message = message;
   }
 
 

@@ -6,6 +6,7 @@
 
 #include <exception>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace coapt
@@ -79,6 +80,15 @@ namespace coapt
     static int
     post_process(realtype t, N_Vector y, void *self);
 
+    /** Keeps what SUNDIALS has to say for the exception that follows, instead
+     * of letting it write to the terminal. */
+    static void
+    keep_message(int code,
+                 const char *module,
+                 const char *function,
+                 char *message,
+                 void *self);
+
     void
     release();
 
@@ -89,6 +99,7 @@ namespace coapt
     void *memory       = nullptr;
     N_Vector vector    = nullptr;
     std::exception_ptr error;
+    std::string message;
     double current_time       = 0;
     unsigned long steps       = 0;
     unsigned long evaluations = 0;
