@@ -23,7 +23,8 @@ namespace
           MPI_Comm communicator)
   {
     Timing timing;
-    const ValveModel model(parameters.model, timing, communicator);
+    ValveModel model(parameters.model, timing, communicator);
+    model.state_at_rest(); // distributes the points that are checked
     model.check_resolution(log);
     const std::string folder = parameters.run.output_folder + "/geometry";
     on_first_rank(communicator, [&]() -> std::string {

@@ -171,7 +171,9 @@ namespace coapt
     step_control.update(
       {{"fluid", model.fluid->max_stable_step()},
        {"solid", kinnmark_gray_limit(solid.xi) / solid.omega},
-       {"chordae", kinnmark_gray_limit(0.) / model.chordae->max_frequency()},
+       {"chordae",
+        kinnmark_gray_limit(model.chordae->damping_ratio()) /
+          model.chordae->max_frequency()},
        {"coupling",
         model.parameters.coupling.max_relaxation_time /
           model.parameters.coupling.relaxation_steps / parameters.step.safety},

@@ -268,22 +268,6 @@ namespace coapt
 
 
 
-  double
-  TimeTable::max_value() const
-  {
-    return *std::max_element(values.begin(), values.end());
-  }
-
-
-
-  double
-  TimeTable::min_value() const
-  {
-    return *std::min_element(values.begin(), values.end());
-  }
-
-
-
   std::string
   find_input_file(const std::string &name, const std::string &folder)
   {

@@ -33,7 +33,7 @@ namespace coapt
                                  const std::vector<double> &nodal_mass,
                                  const double ramp_time,
                                  const double damping_ratio)
-    : all_chordae(chordae), ramp_time(ramp_time)
+    : all_chordae(chordae), ramp_time(ramp_time), zeta(damping_ratio)
   {
     for (const Chorda &chorda : all_chordae)
       {

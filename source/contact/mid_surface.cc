@@ -38,26 +38,11 @@ namespace coapt
 
 
 
-  std::vector<std::array<unsigned int, 3>>
-  mid_surface_triangles(const Leaflet &leaflet)
-  {
-    std::vector<std::array<unsigned int, 3>> triangles;
-    triangles.reserve(2 * leaflet.quads.size());
-    for (const auto &quad : leaflet.quads)
-      {
-        triangles.push_back({{quad[0], quad[1], quad[2]}});
-        triangles.push_back({{quad[0], quad[2], quad[3]}});
-      }
-    return triangles;
-  }
-
-
-
   MidSurface::MidSurface(const Leaflet &leaflet,
                          const std::vector<double> &nodal_mass)
     : nodes_per_column(leaflet.columns.empty() ? 0 : leaflet.columns[0].size())
     , quads(leaflet.quads)
-    , corners(mid_surface_triangles(leaflet))
+    , corners(triangulate(leaflet.quads))
   {
     check_columns(leaflet, nodal_mass);
     for (const auto &column : leaflet.columns)

@@ -239,6 +239,18 @@ namespace coapt
 
 
 
+  double
+  ValveModel::points_per_fluid_node() const
+  {
+    double volume = 0;
+    for (const double mass : solid->mass())
+      volume += mass / parameters.solid.density;
+    return points->n_points() * std::pow(parameters.mesh.finest_cell(), 3) /
+      volume;
+  }
+
+
+
   void
   ValveModel::check_resolution(Log &log) const
   {
@@ -251,6 +263,12 @@ namespace coapt
     if (spacing > 0.9)
       log.warn("sparse points",
                found + ": the leaflet will leak (at most 0.9 is tight)");
+    const double per_node = points_per_fluid_node();
+    if (per_node < 1.5)
+      log.warn("few points",
+               "Coupling: the leaflet has " + std::to_string(per_node) +
+                 " coupling points for each fluid node within it and will "
+                 "leak (1.8 are tight)");
     if (parameters.coupling.min_layers < 2)
       log.warn("one layer",
                "Coupling: a single layer of points leaks 1-5 mm/s");

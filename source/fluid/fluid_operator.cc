@@ -238,15 +238,6 @@ namespace coapt
 
 
   template <int dim>
-  const NodeNumbering<dim> &
-  FluidOperator<dim>::node_numbering() const
-  {
-    return nodes;
-  }
-
-
-
-  template <int dim>
   const FluidParameters &
   FluidOperator<dim>::parameters() const
   {

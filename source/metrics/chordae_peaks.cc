@@ -50,14 +50,6 @@ namespace coapt
 
 
 
-  void
-  ChordaePeaks::restore(const ChordaClass chorda_class, const Peak &peak)
-  {
-    peaks[static_cast<unsigned int>(chorda_class)] = peak;
-  }
-
-
-
   std::string
   name_of(const ChordaClass chorda_class)
   {

@@ -72,12 +72,6 @@ namespace coapt
       return times.back();
     }
 
-    /** Largest and smallest row value; nothing between exceeds them. */
-    double
-    max_value() const;
-    double
-    min_value() const;
-
   private:
     /** Slopes of the monotone cubic at the rows. */
     void

@@ -81,6 +81,13 @@ namespace coapt
     double
     max_frequency() const;
 
+    /** Damping ratio zeta of all chordae at their rest length (-). */
+    double
+    damping_ratio() const
+    {
+      return zeta;
+    }
+
     /** Weighted mean of the nodes of every chorda (m). */
     std::vector<dealii::Point<3>>
     attachment_points(const double *X) const;
@@ -118,6 +125,7 @@ namespace coapt
 
     std::vector<Chorda> all_chordae;
     double ramp_time;
+    double zeta;
 
     /** E A (N), c (N s/m) and the mass m (kg) of every chorda. */
     std::vector<double> axial_stiffness, damping, mass;

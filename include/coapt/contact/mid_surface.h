@@ -81,13 +81,6 @@ namespace coapt
     std::vector<std::array<unsigned int, 4>> quads;
     std::vector<std::array<unsigned int, 3>> corners;
   };
-
-
-
-  /** Both triangles of each quadrilateral of the mid-surface, by column; their
-   * area vectors point to the ventricular side. */
-  std::vector<std::array<unsigned int, 3>>
-  mid_surface_triangles(const Leaflet &leaflet);
 } // namespace coapt
 
 #endif

@@ -51,10 +51,16 @@ namespace coapt
 
     /**
      * Warns where the resolution may let the leaflet leak or the computation
-     * become unstable; throws InputError where it cannot hold. Collective.
+     * become unstable; throws InputError where it cannot hold. Needs points
+     * that are distributed: call state_at_rest() before. Collective.
      */
     void
     check_resolution(Log &log) const;
+
+    /** Coupling points for each fluid node that the leaflet's volume holds at
+     * the finest cell (-). Below 1.5 it leaks. */
+    double
+    points_per_fluid_node() const;
 
     /** Largest distance between coupling points for the nodal positions @p X,
      * in units of the finest fluid cell. */

@@ -174,10 +174,6 @@ namespace coapt
     const dealii::DoFHandler<dim, dim> &
     dof_handler() const;
 
-    /** The numbering of the nodes. */
-    const NodeNumbering<dim> &
-    node_numbering() const;
-
     /** The parameters. */
     const FluidParameters &
     parameters() const;

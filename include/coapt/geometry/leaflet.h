@@ -74,6 +74,13 @@ namespace coapt
     /** Thickness (m). */
     double thickness = 0;
   };
+
+  /**
+   * Triangles of a mid-surface: each of the @p quads (column numbers) cut
+   * along its first diagonal, which keeps the sense of rotation.
+   */
+  std::vector<std::array<unsigned int, 3>>
+  triangulate(const std::vector<std::array<unsigned int, 4>> &quads);
 } // namespace coapt
 
 #endif

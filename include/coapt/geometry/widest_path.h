@@ -54,13 +54,6 @@ namespace coapt
               const dealii::Point<3> &upper,
               double spacing       = 0.25e-3,
               double largest_width = 2e-3);
-
-  /**
-   * Triangles of a mid-surface: each of the @p quads (column numbers) cut
-   * along its first diagonal.
-   */
-  std::vector<std::array<unsigned int, 3>>
-  triangulate(const std::vector<std::array<unsigned int, 4>> &quads);
 } // namespace coapt
 
 #endif

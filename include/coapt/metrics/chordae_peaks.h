@@ -37,10 +37,6 @@ namespace coapt
     std::array<double, n_classes>
     class_tensions(const std::vector<double> &tensions) const;
 
-    /** Sets a peak, for a computation that is resumed. */
-    void
-    restore(const ChordaClass chorda_class, const Peak &peak);
-
   private:
     std::vector<std::string> ids;
     std::vector<ChordaClass> classes;
