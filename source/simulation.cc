@@ -5,6 +5,7 @@
 #include <coapt/simulation.h>
 #include <coapt/time/stability_limit.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -53,7 +54,7 @@ namespace coapt
         [this](const double t, const double *y, double *y_dot) {
           model.system->rhs(t, y, y_dot);
         },
-        [this](const double t, double *y) { model.system->finish_step(t, y); })
+        [this](const double t, double *y) { finish_step(t, y); })
     , step_control(parameters.step)
     , sections({timing.section("Adaptation"),
                 timing.section("Step limits"),
@@ -123,6 +124,23 @@ namespace coapt
 
 
   void
+  Simulation::finish_step(const double t, double *y)
+  {
+    try
+      {
+        model.system->finish_step(t, y);
+      }
+    catch (const NumericalError &)
+      {
+        // What failed is not yet the integrator's result; stop() looks at it.
+        std::copy_n(y, state.size(), state.begin());
+        throw;
+      }
+  }
+
+
+
+  void
   Simulation::prepare_step(Recorder &recorder)
   {
     if (integrator.n_steps() % parameters.step.interval == 0)
@@ -170,7 +188,9 @@ namespace coapt
     const auto solid            = model.solid->step_bound(X.data());
     step_control.update(
       {{"fluid", model.fluid->max_stable_step()},
-       {"solid", kinnmark_gray_limit(solid.xi) / solid.omega},
+       {"solid",
+        parameters.step.solid_factor * kinnmark_gray_limit(solid.xi) /
+          solid.omega},
        {"chordae",
         kinnmark_gray_limit(model.chordae->damping_ratio()) /
           model.chordae->max_frequency()},

@@ -57,7 +57,8 @@ build_jobs()
 build_targets()
 {
   if [ ! -f "$build/build.ninja" ]; then
-    cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
+    cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+      ${CI:+-DCOAPT_WERROR=ON}
   fi
   ninja -C "$build" -j "$(build_jobs)" "$@"
 }

@@ -52,6 +52,9 @@ namespace coapt
     advance(const double until, Recorder &recorder);
 
     void
+    finish_step(const double t, double *y);
+
+    void
     prepare_step(Recorder &recorder);
 
     void

@@ -224,7 +224,7 @@ namespace coapt
       }
     if (!std::isfinite(sum))
       throw NumericalError(
-        "Contact: the position of the leaflet is not finite.");
+        "Contact: the position of the leaflet is not finite");
     return points_at_find.empty() ? std::numeric_limits<double>::infinity()
                                   : std::sqrt(largest);
   }

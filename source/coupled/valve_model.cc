@@ -309,38 +309,59 @@ namespace coapt
 
 
 
+  unsigned int
+  ValveModel::cell_of_node(const unsigned int node) const
+  {
+    for (unsigned int c = 0; c < fluid->n_owned_cells(); ++c)
+      for (const unsigned int n : fluid->cell(c).nodes)
+        if (n == node)
+          return c;
+    return 0;
+  }
+
+
+
+  std::string
+  ValveModel::name_of_entry(const std::size_t i) const
+  {
+    const auto &at         = system->layout();
+    const auto coordinates = [](const Point<3> &x) {
+      std::ostringstream text;
+      text << "at (" << 1e3 * x[0] << ", " << 1e3 * x[1] << ", " << 1e3 * x[2]
+           << ") mm";
+      return text.str();
+    };
+    if (i < at.position())
+      {
+        const auto &cell = fluid->cell(i < at.pressure() ? cell_of_node(i / 3)
+                                                         : i - at.pressure());
+        std::ostringstream size;
+        size << 1e3 * cell.size;
+        return "fluid cell of " + size.str() + " mm " + coordinates(cell.lower);
+      }
+    if (i < at.multiplier())
+      return "node of the leaflet, in the beginning " +
+        coordinates(
+               leaflet.mesh.points[system->first_owned_node() +
+                                   (i - at.position()) / 3 % at.n_solid_nodes]);
+    return "multiplier of a coupling point";
+  }
+
+
+
   std::string
   ValveModel::name_not_finite(const std::vector<double> &y) const
   {
-    const auto &at = system->layout();
-    std::ostringstream name;
-    const auto is_bad = [](const double value) {
+    const auto bad = std::find_if(y.begin(), y.end(), [](const double value) {
       return !std::isfinite(value);
-    };
-    const auto begin = y.begin() + at.pressure(),
-               end   = y.begin() + at.position();
-    // A bad pressure makes its nodes bad, so that it names the place.
-    const auto pressure = std::find_if(begin, end, is_bad);
-    const auto any      = std::find_if(y.begin(), y.end(), is_bad);
-    if (pressure != end)
-      {
-        const auto &cell = fluid->cell(pressure - begin);
-        name << "pressure of the fluid cell of " << 1e3 * cell.size
-             << " mm at (" << 1e3 * cell.lower[0] << ", " << 1e3 * cell.lower[1]
-             << ", " << 1e3 * cell.lower[2] << ") mm";
-      }
-    else if (any != y.end())
-      {
-        const std::size_t i = any - y.begin();
-        name << (i < at.pressure()       ? "velocity of a fluid node"
-                   : i < at.multiplier() ? "a node of the leaflet"
-                                         : "multiplier of a coupling point");
-      }
+    });
+    const std::string name =
+      bad == y.end() ? "" : name_of_entry(bad - y.begin());
     for (const std::string &found :
-         dealii::Utilities::MPI::all_gather(communicator, name.str()))
+         dealii::Utilities::MPI::all_gather(communicator, name))
       if (!found.empty())
         return found;
-    return "nothing any more";
+    return "all values are finite";
   }
 
 

@@ -20,13 +20,8 @@ namespace coapt
     {
       Point<3> corners[3];
       Tensor<1, 3> normal; // of unit length; zero if degenerate
-
-      /** A lower bound of the distance from @p p. */
-      double
-      least_distance(const Point<3> &p) const
-      {
-        return std::abs(normal * (p - corners[0]));
-      }
+      Point<3> center;
+      double radius; // of a ball around the center that holds the triangle
 
       /** Vector to @p p from the nearest point. */
       Tensor<1, 3>
@@ -55,7 +50,15 @@ namespace coapt
       std::vector<Triangle> result;
       for (const auto &t : triangles)
         {
-          Triangle triangle{{points[t[0]], points[t[1]], points[t[2]]}, {}};
+          Triangle triangle;
+          for (unsigned int i = 0; i < 3; ++i)
+            triangle.corners[i] = points[t[i]];
+          triangle.center = points[t[0]] +
+            ((points[t[1]] - points[t[0]]) + (points[t[2]] - points[t[0]])) / 3;
+          triangle.radius = 0;
+          for (const Point<3> &corner : triangle.corners)
+            triangle.radius =
+              std::max(triangle.radius, triangle.center.distance(corner));
           triangle.normal   = cross_product_3d(points[t[1]] - points[t[0]],
                                              points[t[2]] - points[t[0]]);
           const double norm = triangle.normal.norm();
@@ -119,11 +122,12 @@ namespace coapt
       int size[3];
 
     private:
-      /** Calls @p action(n, point n, triangle) for all points in the box
-       * around the band of each triangle. */
+      /** Calls @p action(n, point n, triangle) for all points which the
+       * triangle may be nearer to than @p best. */
       template <typename Action>
       void
-      for_each_near_pair(const Action &action) const
+      for_each_near_pair(const std::vector<float> &best,
+                         const Action &action) const
       {
         for (const Triangle &triangle : sheet)
           {
@@ -142,52 +146,78 @@ namespace coapt
               }
             for (int i = first[0]; i <= last[0]; ++i)
               for (int j = first[1]; j <= last[1]; ++j)
-                for (int l = first[2]; l <= last[2]; ++l)
-                  action((std::size_t(i) * size[1] + j) * size[2] + l,
-                         lower +
-                           spacing *
-                             Tensor<1, 3>({double(i), double(j), double(l)}),
-                         triangle);
+                treat_row(triangle, i, j, first[2], last[2], best, action);
+          }
+      }
+
+      /** The same for a row of points. Distances from the triangle's plane
+       * and from a ball around it are lower bounds that cost little. */
+      template <typename Action>
+      void
+      treat_row(const Triangle &triangle,
+                const int i,
+                const int j,
+                const int first,
+                const int last,
+                const std::vector<float> &best,
+                const Action &action) const
+      {
+        const std::size_t row = (std::size_t(i) * size[1] + j) * size[2];
+        const Point<3> begin  = point(row);
+        const double height   = triangle.normal * (begin - triangle.corners[0]);
+        const double slope    = spacing * triangle.normal[2];
+        const Tensor<1, 3> offset = begin - triangle.center;
+        const double across = offset[0] * offset[0] + offset[1] * offset[1];
+        for (int l = first; l <= last; ++l)
+          {
+            const double limit = best[row + l];
+            if (std::abs(height + l * slope) >= limit)
+              continue;
+            const double along = offset[2] + l * spacing;
+            const double reach = limit + triangle.radius;
+            if (across + along * along < reach * reach)
+              action(row + l, point(row + l), triangle);
           }
       }
 
       void
       find_nearest()
       {
-        for_each_near_pair([&](const std::size_t n,
+        for_each_near_pair(nearest,
+                           [&](const std::size_t n,
                                const Point<3> &p,
                                const Triangle &triangle) {
-          if (triangle.least_distance(p) >= nearest[n])
-            return;
-          const Tensor<1, 3> vector = triangle.vector_to(p);
-          const float distance      = vector.norm();
-          if (distance >= nearest[n])
-            return;
-          nearest[n] = distance;
-          if (slot[n] == none)
-            {
-              slot[n] = towards.size();
-              towards.emplace_back();
-            }
-          towards[slot[n]] = vector;
-        });
+                             const Tensor<1, 3> vector = triangle.vector_to(p);
+                             const float distance      = vector.norm();
+                             if (distance >= nearest[n])
+                               return;
+                             nearest[n] = distance;
+                             if (slot[n] == none)
+                               {
+                                 slot[n] = towards.size();
+                                 towards.emplace_back();
+                               }
+                             towards[slot[n]] = vector;
+                           });
       }
 
       /** Distances from what is on the other side. */
       void
       find_opposite()
       {
-        for_each_near_pair([&](const std::size_t n,
+        for_each_near_pair(opposite,
+                           [&](const std::size_t n,
                                const Point<3> &p,
                                const Triangle &triangle) {
-          if (slot[n] == none || triangle.least_distance(p) >= opposite[n] ||
-              triangle.on_same_side(p, towards[slot[n]]))
-            return;
-          const Tensor<1, 3> vector = triangle.vector_to(p);
-          const float distance      = vector.norm();
-          if (distance < opposite[n] && towards[slot[n]] * vector < 0)
-            opposite[n] = distance;
-        });
+                             if (slot[n] == none ||
+                                 triangle.on_same_side(p, towards[slot[n]]))
+                               return;
+                             const Tensor<1, 3> vector = triangle.vector_to(p);
+                             const float distance      = vector.norm();
+                             if (distance < opposite[n] &&
+                                 towards[slot[n]] * vector < 0)
+                               opposite[n] = distance;
+                           });
       }
 
       const std::vector<Triangle> sheet;
@@ -315,5 +345,4 @@ namespace coapt
     // the lumen itself does not connect both ends
     return {0, lower};
   }
-
 } // namespace coapt

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace coapt
 {
@@ -14,7 +15,11 @@ namespace coapt
     const SimplexMesh<dim> &mesh,
     const std::vector<SamplePoint<dim>> &points,
     MPI_Comm communicator)
-    : mesh(mesh), points(points), communicator(communicator)
+    : mesh(mesh)
+    , points(points)
+    , communicator(communicator)
+    , solid_input(mesh.points.size())
+    , solid_output(mesh.points.size())
   {
   }
 
@@ -28,13 +33,58 @@ namespace coapt
     stencil.solid_nodes = mesh.cells[points[id].cell];
     stencil.volume      = points[id].volume;
     stencil.cell        = -1;
-    stencil.active      = false;
-    stencil.fluid_nodes.fill(0);
-    stencil.fluid_weights.fill(0);
+    stencil.scale       = 0;
+    stencil.local.fill(0);
     std::copy(points[id].barycentric.begin(),
               points[id].barycentric.end(),
               stencil.solid_weights.begin());
     return stencil;
+  }
+
+
+
+  template <int dim>
+  void
+  CouplingPoints<dim>::to_lanes(const double *x, std::vector<Lanes> &result)
+  {
+    for (unsigned int n = 0; n < result.size(); ++n)
+      for (unsigned int d = 0; d < dim; ++d)
+        result[n].values[d] = x[dim * n + d];
+  }
+
+
+
+  template <int dim>
+  typename CouplingPoints<dim>::Lanes::Register
+  CouplingPoints<dim>::solid_value(const Stencil &s,
+                                   const std::vector<Lanes> &field)
+  {
+    typename Lanes::Register value{};
+    for (unsigned int a = 0; a < n_solid; ++a)
+      value += s.solid_weights[a] * field[s.solid_nodes[a]].values;
+    return value;
+  }
+
+
+
+  template <int dim>
+  std::array<double, CouplingPoints<dim>::n_fluid>
+  CouplingPoints<dim>::fluid_weights(const Stencil &s,
+                                     const unsigned char constrained)
+  {
+    std::array<double, n_fluid> weights;
+    weights[0] = s.scale;
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int i = 0; i < (1u << d); ++i)
+        {
+          weights[i + (1u << d)] = s.local[d] * weights[i];
+          weights[i] -= weights[i + (1u << d)];
+        }
+    if (constrained != 0)
+      for (unsigned int i = 0; i < n_fluid; ++i)
+        if ((constrained >> i) & 1)
+          weights[i] = 0;
+    return weights;
   }
 
 
@@ -83,17 +133,98 @@ namespace coapt
     ids.clear();
     stencils.clear();
     multiplier.clear();
+    std::vector<Lanes> positions(mesh.points.size());
+    to_lanes(X, positions);
     for (unsigned int id = 0; id < points.size(); ++id)
       {
         Stencil stencil = unplaced_stencil(id);
-        if (!place(stencil, fluid, X) ||
+        if (!place(stencil, fluid, solid_value(stencil, positions)) ||
             fluid.cell(stencil.cell).owner_rank != rank)
           continue;
         ids.push_back(id);
         stencils.push_back(stencil);
         for (unsigned int d = 0; d < dim; ++d)
-          multiplier.push_back(stencil.active ? all[dim * id + d] : 0.);
+          multiplier.push_back(stencil.scale > 0 ? all[dim * id + d] : 0.);
       }
+    sort_by_cell(multiplier.data());
+    find_runs(fluid);
+  }
+
+
+
+  template <int dim>
+  void
+  CouplingPoints<dim>::sort_by_cell(double *multiplier)
+  {
+    std::vector<unsigned int> order(stencils.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [this](const auto a, const auto b) {
+      return std::make_pair(stencils[a].cell, ids[a]) <
+        std::make_pair(stencils[b].cell, ids[b]);
+    });
+    const std::vector<Stencil> old_stencils = stencils;
+    const std::vector<unsigned int> old_ids = ids;
+    const std::vector<double> old_multiplier(multiplier,
+                                             multiplier + dim * order.size());
+    for (unsigned int q = 0; q < order.size(); ++q)
+      {
+        stencils[q] = old_stencils[order[q]];
+        ids[q]      = old_ids[order[q]];
+        std::copy_n(old_multiplier.data() + dim * order[q],
+                    dim,
+                    multiplier + dim * q);
+      }
+    updates_since_sorting = 0;
+  }
+
+
+
+  template <int dim>
+  unsigned char
+  CouplingPoints<dim>::constrained_nodes(const FluidOperator<dim> &fluid,
+                                         const int cell)
+  {
+    unsigned char constrained = 0;
+    for (unsigned int i = 0; i < n_fluid; ++i)
+      constrained |= fluid.is_constrained_node(fluid.cell(cell).nodes[i]) << i;
+    return constrained;
+  }
+
+
+
+  template <int dim>
+  void
+  CouplingPoints<dim>::find_runs(const FluidOperator<dim> &fluid)
+  {
+    runs.clear();
+    int cell = -1;
+    for (unsigned int q = 0; q < stencils.size(); ++q)
+      if (stencils[q].cell == cell)
+        runs.back().end = q + 1;
+      else
+        {
+          cell = stencils[q].cell;
+          runs.push_back(
+            {fluid.cell(cell).nodes, constrained_nodes(fluid, cell), q, q + 1});
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  CouplingPoints<dim>::rescale(Stencil &stencil,
+                               const unsigned char constrained)
+  {
+    stencil.scale = 1;
+    if (constrained == 0)
+      return;
+    double sum = 0;
+    for (const double weight : fluid_weights(stencil, constrained))
+      sum += weight;
+    // A point whose free weight is nearly nothing would move a far node by a
+    // huge lever, so it counts as lying in the rigid wall.
+    stencil.scale = sum > 1e-3 ? 1 / sum : 0.;
   }
 
 
@@ -102,36 +233,55 @@ namespace coapt
   bool
   CouplingPoints<dim>::place(Stencil &stencil,
                              const FluidOperator<dim> &fluid,
-                             const double *X)
+                             const typename Lanes::Register &x)
   {
-    const Point<dim> x = position(stencil, X);
-    stencil.cell       = fluid.locate(x, stencil.cell);
-    if (stencil.cell < 0)
+    Point<dim> point;
+    for (unsigned int d = 0; d < dim; ++d)
+      point[d] = x[d];
+    const int found = fluid.locate(point);
+    if (found < 0)
       return false;
-
-    const auto &cell = fluid.cell(stencil.cell);
-    double sum       = 0;
-    for (unsigned int i = 0; i < n_fluid; ++i)
-      {
-        double weight = 1;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const double xi = (x[d] - cell.lower[d]) / cell.size;
-            weight *= ((i >> d) & 1) ? xi : 1 - xi;
-          }
-        stencil.fluid_nodes[i] = cell.nodes[i];
-        if (fluid.is_constrained_node(cell.nodes[i]))
-          weight = 0;
-        stencil.fluid_weights[i] = weight;
-        sum += weight;
-      }
-
-    // A point whose free weight is nearly nothing would move a far node by a
-    // huge lever, so it counts as lying in the rigid wall.
-    stencil.active = sum > 1e-3;
-    for (double &weight : stencil.fluid_weights)
-      weight = stencil.active ? weight / sum : 0.;
+    const auto &cell = fluid.cell(found);
+    stencil.cell     = found;
+    for (unsigned int d = 0; d < dim; ++d)
+      stencil.local[d] = (x[d] - cell.lower[d]) / cell.size;
+    rescale(stencil, constrained_nodes(fluid, found));
     return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  CouplingPoints<dim>::move(const FluidOperator<dim> &fluid)
+  {
+    bool all_found = true;
+    for (const Run &run : runs)
+      {
+        const auto &cell          = fluid.cell(stencils[run.begin].cell);
+        const double inverse_size = 1 / cell.size;
+        for (unsigned int q = run.begin; q < run.end; ++q)
+          {
+            Stencil &s   = stencils[q];
+            const auto x = solid_value(s, solid_input);
+            std::array<double, dim> local;
+            bool inside = true;
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                local[d] = (x[d] - cell.lower[d]) * inverse_size;
+                inside   = inside && local[d] >= 0 && local[d] < 1;
+              }
+            if (inside)
+              {
+                s.local = local;
+                rescale(s, run.constrained);
+              }
+            // Otherwise the old weights stay until points are distributed.
+            else if (!place(s, fluid, x))
+              all_found = false;
+          }
+      }
+    return all_found;
   }
 
 
@@ -142,38 +292,18 @@ namespace coapt
                               const double *X,
                               double *multiplier)
   {
-    bool all_found = true;
+    to_lanes(X, solid_input);
+    const bool all_found = move(fluid);
     for (unsigned int q = 0; q < stencils.size(); ++q)
-      {
-        if (!place(stencils[q], fluid, X))
-          {
-            // The old weights stay until the points are distributed anew.
-            all_found = false;
-            continue;
-          }
-        if (!stencils[q].active)
-          std::fill_n(multiplier + dim * q, dim, 0.);
-      }
+      if (stencils[q].scale == 0)
+        std::fill_n(multiplier + dim * q, dim, 0.);
+
+    // Few points change their cell in a step.
+    const unsigned int updates_between_sorting = 50;
+    if (++updates_since_sorting >= updates_between_sorting)
+      sort_by_cell(multiplier);
+    find_runs(fluid);
     return all_found;
-  }
-
-
-
-  template <int dim>
-  std::array<double, dim>
-  CouplingPoints<dim>::slip(const Stencil &s,
-                            const double *fluid_velocity,
-                            const double *V) const
-  {
-    std::array<double, dim> slip{};
-    for (unsigned int a = 0; a < n_solid; ++a)
-      for (unsigned int d = 0; d < dim; ++d)
-        slip[d] += s.solid_weights[a] * V[dim * s.solid_nodes[a] + d];
-    for (unsigned int i = 0; i < n_fluid; ++i)
-      for (unsigned int d = 0; d < dim; ++d)
-        slip[d] -=
-          s.fluid_weights[i] * fluid_velocity[dim * s.fluid_nodes[i] + d];
-    return slip;
   }
 
 
@@ -186,33 +316,49 @@ namespace coapt
                                   const double *multiplier,
                                   double *fluid_force,
                                   double *solid_force,
-                                  double *multiplier_rate) const
+                                  double *multiplier_rate)
   {
-    for (unsigned int q = 0; q < stencils.size(); ++q)
+    using Register = typename Lanes::Register;
+    to_lanes(V, solid_input);
+    std::fill(solid_output.begin(), solid_output.end(), Lanes{});
+    for (const Run &run : runs)
       {
-        const Stencil &s = stencils[q];
-        if (!s.active)
-          {
-            std::fill_n(multiplier_rate + dim * q, dim, 0.);
-            continue;
-          }
-        const std::array<double, dim> w = slip(s, fluid_velocity, V);
-        std::array<double, dim> force;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            force[d] =
-              s.volume * (multiplier[dim * q + d] + coefficients.drag * w[d]);
-            multiplier_rate[dim * q + d] = coefficients.stiffness * w[d];
-          }
+        std::array<Register, n_fluid> u{}, f{};
         for (unsigned int i = 0; i < n_fluid; ++i)
           for (unsigned int d = 0; d < dim; ++d)
-            fluid_force[dim * s.fluid_nodes[i] + d] +=
-              s.fluid_weights[i] * force[d];
-        for (unsigned int a = 0; a < n_solid; ++a)
+            u[i][d] = fluid_velocity[dim * run.nodes[i] + d];
+
+        for (unsigned int q = run.begin; q < run.end; ++q)
+          {
+            const Stencil &s = stencils[q];
+            const std::array<double, n_fluid> weights =
+              fluid_weights(s, run.constrained);
+            Register slip = solid_value(s, solid_input), lambda{};
+            for (unsigned int i = 0; i < n_fluid; ++i)
+              slip -= weights[i] * u[i];
+            if (s.scale == 0)
+              slip = Register{};
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                lambda[d]                    = multiplier[dim * q + d];
+                multiplier_rate[dim * q + d] = coefficients.stiffness * slip[d];
+              }
+            const Register force =
+              s.volume * (lambda + coefficients.drag * slip);
+            for (unsigned int i = 0; i < n_fluid; ++i)
+              f[i] += weights[i] * force;
+            for (unsigned int a = 0; a < n_solid; ++a)
+              solid_output[s.solid_nodes[a]].values -=
+                s.solid_weights[a] * force;
+          }
+
+        for (unsigned int i = 0; i < n_fluid; ++i)
           for (unsigned int d = 0; d < dim; ++d)
-            solid_force[dim * s.solid_nodes[a] + d] -=
-              s.solid_weights[a] * force[d];
+            fluid_force[dim * run.nodes[i] + d] += f[i][d];
       }
+    for (unsigned int n = 0; n < solid_output.size(); ++n)
+      for (unsigned int d = 0; d < dim; ++d)
+        solid_force[dim * n + d] += solid_output[n].values[d];
   }
 
 
@@ -225,23 +371,30 @@ namespace coapt
     const double *V,
     const double *multiplier) const
   {
+    std::vector<Lanes> solid_velocity(mesh.points.size());
+    to_lanes(V, solid_velocity);
     std::vector<double> sums(4, 0.);
-    for (unsigned int q = 0; q < stencils.size(); ++q)
-      {
-        const Stencil &s = stencils[q];
-        if (!s.active)
-          continue;
-        const std::array<double, dim> w = slip(s, fluid_velocity, V);
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const double lambda = multiplier[dim * q + d];
-            sums[0] +=
-              s.volume * lambda * lambda / (2 * coefficients.stiffness);
-            sums[1] += s.volume * coefficients.drag * w[d] * w[d];
-            sums[2] += s.volume * w[d] * w[d];
-          }
-        sums[3] += s.volume;
-      }
+    for (const Run &run : runs)
+      for (unsigned int q = run.begin; q < run.end; ++q)
+        {
+          const Stencil &s = stencils[q];
+          if (s.scale == 0)
+            continue;
+          const auto v       = solid_value(s, solid_velocity);
+          const auto weights = fluid_weights(s, run.constrained);
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              double slip = v[d];
+              for (unsigned int i = 0; i < n_fluid; ++i)
+                slip -= weights[i] * fluid_velocity[dim * run.nodes[i] + d];
+              const double lambda = multiplier[dim * q + d];
+              sums[0] +=
+                s.volume * lambda * lambda / (2 * coefficients.stiffness);
+              sums[1] += s.volume * coefficients.drag * slip * slip;
+              sums[2] += s.volume * slip * slip;
+            }
+          sums[3] += s.volume;
+        }
     dealii::Utilities::MPI::sum(sums, communicator, sums);
     return {sums[0], sums[1], sums[3] > 0 ? std::sqrt(sums[2] / sums[3]) : 0.};
   }
@@ -271,11 +424,15 @@ namespace coapt
     // What gathers forces and divides them by the mass does so with masses.
     std::vector<double> coupled(dim * fluid.n_local_nodes(), 0.);
     std::vector<double> ratio(dim * fluid.n_owned_nodes());
-    for (const Stencil &s : stencils)
-      for (unsigned int i = 0; i < n_fluid; ++i)
-        for (unsigned int d = 0; d < dim; ++d)
-          coupled[dim * s.fluid_nodes[i] + d] +=
-            s.fluid_weights[i] * s.volume * solid_density;
+    for (const Run &run : runs)
+      for (unsigned int q = run.begin; q < run.end; ++q)
+        {
+          const auto weights = fluid_weights(stencils[q], run.constrained);
+          for (unsigned int i = 0; i < n_fluid; ++i)
+            for (unsigned int d = 0; d < dim; ++d)
+              coupled[dim * run.nodes[i] + d] +=
+                weights[i] * stencils[q].volume * solid_density;
+        }
     fluid.finish(coupled.data(), ratio.data());
     const double largest =
       ratio.empty() ? 0. : *std::max_element(ratio.begin(), ratio.end());

@@ -13,11 +13,15 @@ namespace coapt
     using dealii::Patterns::Integer;
     prm.enter_subsection("Time");
     prm.declare_entry("Step safety",
-                      "1.2",
-                      Double(0.01, 1.5),
-                      "Step length over the smallest stability limit (-). The "
-                      "bound of the solid, which decides, is 1.6 times too "
-                      "strict for the material HGO.");
+                      "0.8",
+                      Double(0.01, 1.),
+                      "Step length over the smallest stability limit (-).");
+    prm.declare_entry("Solid bound factor",
+                      "1.5",
+                      Double(1., 2.),
+                      "Stability limit of the solid over what the stiffest of "
+                      "its elements would bear alone (-). For HGO it is 1.6 "
+                      "to 1.7.");
     prm.declare_entry("Largest step",
                       "1e-4",
                       Double(1e-12, 1.),
@@ -41,10 +45,11 @@ namespace coapt
   StepParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Time");
-    safety   = prm.get_double("Step safety");
-    max_step = prm.get_double("Largest step");
-    interval = prm.get_integer("Steps between limits");
-    sampling = prm.get_integer("Steps between samples");
+    safety       = prm.get_double("Step safety");
+    solid_factor = prm.get_double("Solid bound factor");
+    max_step     = prm.get_double("Largest step");
+    interval     = prm.get_integer("Steps between limits");
+    sampling     = prm.get_integer("Steps between samples");
     prm.leave_subsection();
   }
 

@@ -113,6 +113,13 @@ namespace coapt
       return state_layout;
     }
 
+    /** Number of the first solid node in this rank's block of y. */
+    unsigned int
+    first_owned_node() const
+    {
+      return nodes.begin();
+    }
+
     /** Coefficients in force since begin_step(). */
     const RelaxationCoefficients &
     relaxation() const

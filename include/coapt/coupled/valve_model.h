@@ -122,6 +122,14 @@ namespace coapt
     void
     act_contact(const double *X, double *V, const double dt);
 
+    /** A fluid cell of this rank that has the @p node. */
+    unsigned int
+    cell_of_node(const unsigned int node) const;
+
+    /** Says in words what the entry @p i of this rank's state belongs to. */
+    std::string
+    name_of_entry(const std::size_t i) const;
+
     std::function<double(const dealii::Point<3> &)>
     distance_to_wall() const;
 

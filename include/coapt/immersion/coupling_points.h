@@ -53,7 +53,9 @@ namespace coapt
      * follow, and a leaflet that slides along a wall is glued to it.
      *
      * Returns whether all points of this rank lie in cells known to it; if
-     * not on some rank, distribute() is due.
+     * not on some rank, distribute() is due. Now and then puts the points,
+     * multipliers included, in the order of their cells, since neighbours
+     * share what they need of the fluid.
      */
     bool
     update(const FluidOperator<dim> &fluid,
@@ -76,7 +78,7 @@ namespace coapt
                const double *multiplier,
                double *fluid_force,
                double *solid_force,
-               double *multiplier_rate) const;
+               double *multiplier_rate);
 
     /** Energy stored in the multiplier, sum w lambda^2 / (2 k), and power
      * dissipated by the drag, sum w beta |v - J u|^2. J and W, all ranks. */
@@ -126,36 +128,92 @@ namespace coapt
     static constexpr unsigned int n_fluid = 1u << dim;
     static constexpr unsigned int n_solid = dim + 1;
 
-    /** What add_forces() needs of a point, together in memory. */
+    /** What is needed of a point, together in memory. */
     struct Stencil
     {
-      std::array<double, n_fluid> fluid_weights; // zero if inactive
-      std::array<unsigned int, n_fluid> fluid_nodes;
+      std::array<double, dim> local; // coordinates in the fluid cell, 0 to 1
+      double scale;                  // of the fluid weights; 0: held
       std::array<double, n_solid> solid_weights;
       std::array<unsigned int, n_solid> solid_nodes;
       double volume;
       int cell;
-      bool active;
     };
 
-    std::array<double, dim>
-    slip(const Stencil &s, const double *fluid_velocity, const double *V) const;
+    /** Consecutive points in the same fluid cell. */
+    struct Run
+    {
+      std::array<unsigned int, n_fluid> nodes;
+      unsigned char constrained; // a bit for each node
+      unsigned int begin, end;
+    };
 
-    bool
-    place(Stencil &stencil, const FluidOperator<dim> &fluid, const double *X);
+    /** dim numbers in a register; in 3D the fourth is idle. */
+    struct Lanes
+    {
+      static constexpr unsigned int size = dim == 2 ? 2 : 4;
+      typedef double Register
+        __attribute__((vector_size(size * sizeof(double))));
+      Register values;
+    };
+
+    /** Copies one entry of dim numbers for each node. */
+    static void
+    to_lanes(const double *x, std::vector<Lanes> &result);
+
+    /** Interpolation of a nodal field of the solid. */
+    static typename Lanes::Register
+    solid_value(const Stencil &s, const std::vector<Lanes> &field);
+
+    /** Weights of the nodes of the fluid cell, those of the constrained ones
+     * zero and the others rescaled. */
+    static std::array<double, n_fluid>
+    fluid_weights(const Stencil &s, const unsigned char constrained);
+
+    Stencil
+    unplaced_stencil(const unsigned int id) const;
 
     dealii::Point<dim>
     position(const Stencil &stencil, const double *X) const;
 
-    Stencil
-    unplaced_stencil(const unsigned int id) const;
+    /** Which nodes of a fluid cell are held, a bit for each. */
+    static unsigned char
+    constrained_nodes(const FluidOperator<dim> &fluid, const int cell);
+
+    /** Sets the scale of a point whose local coordinates are known. */
+    static void
+    rescale(Stencil &stencil, const unsigned char constrained);
+
+    /** Moves the points with the positions in solid_input; returns whether
+     * all are in known cells. */
+    bool
+    move(const FluidOperator<dim> &fluid);
+
+    /** Finds cell and weights of a point at @p x; returns whether its cell is
+     * known, and otherwise leaves what was there. */
+    static bool
+    place(Stencil &stencil,
+          const FluidOperator<dim> &fluid,
+          const typename Lanes::Register &x);
+
+    /** Puts the points in the order of their cells. */
+    void
+    sort_by_cell(double *multiplier);
+
+    void
+    find_runs(const FluidOperator<dim> &fluid);
 
     const SimplexMesh<dim> &mesh;
     std::vector<SamplePoint<dim>> points;
     MPI_Comm communicator;
 
+    /** Owned points, by cell except for what has moved since sorting. */
     std::vector<unsigned int> ids;
     std::vector<Stencil> stencils;
+    std::vector<Run> runs;
+    unsigned int updates_since_sorting = 0;
+
+    /** Nodal fields of the solid, for registers. */
+    std::vector<Lanes> solid_input, solid_output;
   };
 } // namespace coapt
 
