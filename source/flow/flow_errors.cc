@@ -105,12 +105,11 @@ namespace coapt
                        second += error * error * volume;
                        whole += volume;
                      });
-      first  = sum(first, model.communicator);
-      second = sum(second, model.communicator);
-      whole  = sum(whole, model.communicator);
-      const double mean =
-        model.has_pressure_boundary() ? 0. : first / whole;
-      double means = 0;
+      first             = sum(first, model.communicator);
+      second            = sum(second, model.communicator);
+      whole             = sum(whole, model.communicator);
+      const double mean = model.has_pressure_boundary() ? 0. : first / whole;
+      double means      = 0;
       for (unsigned int c = 0; c < of_cell.size(); ++c)
         if (model.fluid().is_active_cell(c))
           {
@@ -122,6 +121,18 @@ namespace coapt
       errors.pressure_means_l2 = std::sqrt(sum(means, model.communicator));
     }
   } // namespace
+
+
+
+  void
+  FlowErrors::take_larger(const FlowErrors &other)
+  {
+    // fmax prefers a number to what is none
+    velocity_l2       = std::fmax(velocity_l2, other.velocity_l2);
+    velocity_max      = std::fmax(velocity_max, other.velocity_max);
+    pressure_l2       = std::fmax(pressure_l2, other.pressure_l2);
+    pressure_means_l2 = std::fmax(pressure_means_l2, other.pressure_means_l2);
+  }
 
 
 

@@ -75,8 +75,7 @@ namespace coapt
     octree.refine_to([&](const Point<dim> &center, double) {
       bool in_patch = !p.patch_lower.empty();
       for (unsigned int d = 0; d < dim && in_patch; ++d)
-        in_patch =
-          center[d] > p.patch_lower[d] && center[d] < p.patch_upper[d];
+        in_patch = center[d] > p.patch_lower[d] && center[d] < p.patch_upper[d];
       return level + (in_patch ? p.patch_levels : 0);
     });
     op.reinit(octree);
@@ -97,7 +96,7 @@ namespace coapt
       {
         result.type[side]      = parameters.sides[side];
         result.impedance[side] = parameters.impedance;
-        Point<dim> center = (octree.lower() + octree.upper()) / 2;
+        Point<dim> center      = (octree.lower() + octree.upper()) / 2;
         center[side / 2] =
           (side % 2 ? octree.upper() : octree.lower())[side / 2];
         result.pressure[side] = [=](const double t) {
@@ -107,10 +106,10 @@ namespace coapt
     result.velocity = vector_field<dim>("Flow/Boundary velocity",
                                         parameters.boundary_velocity,
                                         constants);
-    const bool is_needed = std::find(result.type.begin(),
-                                     result.type.end(),
-                                     FluidBoundary::velocity) !=
-      result.type.end();
+    const bool is_needed =
+      std::find(result.type.begin(),
+                result.type.end(),
+                FluidBoundary::velocity) != result.type.end();
     if (is_needed && !result.velocity)
       throw InputError("Flow/Boundary velocity is empty, but a side of the box "
                        "is of the kind velocity");

@@ -177,14 +177,14 @@ namespace coapt
       prm.declare_entry("Exact velocity",
                         "",
                         Anything(),
-                        "Velocity (m/s) from which the error is measured at "
-                        "the end time; empty for no error.");
+                        "Velocity (m/s) from which the error is measured; "
+                        "empty for no error.");
       prm.declare_entry("Exact pressure",
                         "",
                         Anything(),
-                        "Pressure (Pa) from which the error is measured at "
-                        "the end time, without its mean if no side is of the "
-                        "kind pressure; empty for no error.");
+                        "Pressure (Pa) from which the error is measured, "
+                        "without its mean if no side is of the kind pressure; "
+                        "empty for no error.");
     }
 
     void
@@ -225,6 +225,12 @@ namespace coapt
                         "a line of coordinates (m), number of the component "
                         "(from 0) and its value (m/s) each. The largest "
                         "deviation from it at the end time is reported.");
+      prm.declare_entry("Errors",
+                        "end",
+                        Selection("end|largest"),
+                        "Whether errors are measured at the end time, or at "
+                        "each output (Output/Interval) and the largest ones "
+                        "reported.");
       prm.declare_entry("Figures from",
                         "0",
                         Double(0),
@@ -278,7 +284,7 @@ namespace coapt
     prm.leave_subsection();
 
     prm.enter_subsection("Flow");
-    dimension          = prm.get_integer("Dimension");
+    dimension           = prm.get_integer("Dimension");
     const auto point_of = [&](const std::string &name) {
       return numbers("Flow/" + name, prm.get(name));
     };
@@ -321,14 +327,14 @@ namespace coapt
     pressure_points.clear();
     for (const std::string &text :
          split_string_list(prm.get("Pressure points"), ';'))
-      pressure_points.push_back(
-        checked("Flow/Pressure points",
-                numbers("Flow/Pressure points", text),
-                dimension));
+      pressure_points.push_back(checked("Flow/Pressure points",
+                                        numbers("Flow/Pressure points", text),
+                                        dimension));
     profiles.clear();
     for (const std::string &text : split_string_list(prm.get("Profiles"), ';'))
       profiles.push_back(line(text, dimension));
     reference_values = prm.get("Reference values");
+    largest_errors   = prm.get("Errors") == "largest";
     figures_from     = prm.get_double("Figures from");
     prm.leave_subsection();
 

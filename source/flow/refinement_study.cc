@@ -23,8 +23,15 @@ namespace coapt
       if (std::isnan(value))
         return "";
       char text[32];
-      std::snprintf(text, sizeof(text), "%.*g", static_cast<int>(digits), value);
+      std::snprintf(
+        text, sizeof(text), "%.*g", static_cast<int>(digits), value);
       return text;
+    }
+
+    bool
+    is_whole(const double value)
+    {
+      return value == std::round(value);
     }
 
     /** The measures of error with their names. */
@@ -46,10 +53,10 @@ namespace coapt
     : parameters(parameters), log(log), communicator(communicator)
   {
     if (!parameters.reference_values.empty())
-      reference = read_reference_values<dim>(
-        folder_of_file.empty()
-          ? parameters.reference_values
-          : folder_of_file + "/" + parameters.reference_values);
+      reference = read_reference_values<dim>(folder_of_file.empty()
+                                               ? parameters.reference_values
+                                               : folder_of_file + "/" +
+                                                 parameters.reference_values);
     if (parameters.varied_parameter.empty())
       for (const unsigned int level : parameters.refinements)
         cases.push_back(
@@ -167,8 +174,8 @@ namespace coapt
   {
     const FlowResult &result = all_results[i];
     const std::string name   = parameters.varied_parameter.empty()
-      ? "level"
-      : parameters.varied_parameter;
+        ? "level"
+        : parameters.varied_parameter;
     Row row                  = {{name, cases[i].value},
                                 {"cells", result.cells},
                                 {"h_m", result.cell_size},
@@ -218,8 +225,7 @@ namespace coapt
     summary.set("version", version());
     summary.set("revision", revision());
     summary.set("dimension", static_cast<unsigned int>(dim));
-    summary.set("ranks",
-                dealii::Utilities::MPI::n_mpi_processes(communicator));
+    summary.set("ranks", dealii::Utilities::MPI::n_mpi_processes(communicator));
     summary.set("runs_planned", static_cast<unsigned long>(cases.size()));
     for (unsigned int i = 0; i < all_results.size(); ++i)
       {
@@ -247,7 +253,9 @@ namespace coapt
             sizeof(cell),
             "%*s",
             static_cast<int>(std::max<std::size_t>(9, entry.first.size())) + 2,
-            is_header ? entry.first.c_str() : text_of(entry.second, 4).c_str());
+            is_header
+              ? entry.first.c_str()
+              : text_of(entry.second, is_whole(entry.second) ? 9 : 4).c_str());
           line += cell;
         }
       log.line(line);

@@ -31,13 +31,11 @@ namespace coapt
                  const std::vector<double> &values,
                  const double from)
   {
-    const std::size_t last = values.size() - 1;
-    const std::size_t first =
-      std::min<std::size_t>(last,
-                            std::lower_bound(times.begin(),
-                                             times.end(),
-                                             from * (1 - 1e-9)) -
-                              times.begin());
+    const std::size_t last  = values.size() - 1;
+    const std::size_t first = std::min<std::size_t>(
+      last,
+      std::lower_bound(times.begin(), times.end(), from * (1 - 1e-9)) -
+        times.begin());
     double integral = 0;
     for (std::size_t i = first; i < last; ++i)
       integral += (times[i + 1] - times[i]) * (values[i] + values[i + 1]) / 2;

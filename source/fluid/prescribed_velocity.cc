@@ -50,7 +50,7 @@ namespace coapt
     for (unsigned int i = 0; i < nodes.size(); ++i)
       for (int d = 0; d < dim; ++d)
         {
-          const auto &k = derivative[dim * i + d];
+          const auto &k                          = derivative[dim * i + d];
           acceleration_owned[dim * nodes[i] + d] = k[0] + s * (k[1] + s * k[2]);
         }
   }

@@ -26,8 +26,7 @@ namespace coapt
                 number = points.size();
                 dealii::Point<3> position;
                 for (unsigned int d = 0; d < dim; ++d)
-                  position[d] =
-                    cell.lower[d] + ((corner >> d) & 1) * cell.size;
+                  position[d] = cell.lower[d] + ((corner >> d) & 1) * cell.size;
                 points.push_back(position);
                 nodes.push_back(cell.nodes[corner]);
               }

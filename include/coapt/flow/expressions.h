@@ -18,8 +18,9 @@ namespace coapt
   using ScalarField =
     std::function<double(const dealii::Point<dim> &, const double)>;
   template <int dim>
-  using VectorField = std::function<
-    dealii::Tensor<1, dim>(const dealii::Point<dim> &, const double)>;
+  using VectorField =
+    std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &,
+                                         const double)>;
   /** @} */
 
   /**

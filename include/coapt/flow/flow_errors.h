@@ -26,6 +26,10 @@ namespace coapt
 
     /** L2 norm of the error of the cells' mean pressures. */
     double pressure_means_l2 = unknown;
+
+    /** Replaces each error by the one of @p other if that is larger. */
+    void
+    take_larger(const FlowErrors &other);
   };
 
   /**

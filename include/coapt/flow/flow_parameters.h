@@ -81,6 +81,10 @@ namespace coapt
     /** File of velocities to compare with, empty without one. */
     std::string reference_values;
 
+    /** Whether errors are the largest of all outputs, instead of those at the
+     * end time. */
+    bool largest_errors = false;
+
     /** Mean, range and frequency of signals are taken from here on (s). */
     double figures_from = 0;
 

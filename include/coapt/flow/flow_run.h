@@ -97,6 +97,7 @@ namespace coapt
     std::vector<double> state;
     std::vector<double> times;
     std::vector<Row> rows;
+    FlowErrors errors;
     std::chrono::steady_clock::time_point start, last_line;
   };
 } // namespace coapt
