@@ -6,10 +6,18 @@
 
 namespace coapt
 {
+  FlowTask::FlowTask(const FlowContents contents) : contents(contents)
+  {
+    if (contents == FlowContents::bodies)
+      parameters.immersed.emplace();
+  }
+
+
+
   void
   FlowTask::declare_parameters(dealii::ParameterHandler &prm) const
   {
-    FlowParameters::declare_parameters(prm);
+    FlowParameters::declare_parameters(prm, contents);
   }
 
 

@@ -20,8 +20,11 @@ namespace coapt
     if (name == "valve")
       return std::make_unique<ValveTask>();
     if (name == "flow")
-      return std::make_unique<FlowTask>();
-    throw InputError("unknown task '" + name + "'; there are valve and flow");
+      return std::make_unique<FlowTask>(FlowContents::nothing);
+    if (name == "immersed")
+      return std::make_unique<FlowTask>(FlowContents::bodies);
+    throw InputError("unknown task '" + name +
+                     "'; there are valve, flow and immersed");
   }
 
 
@@ -31,10 +34,10 @@ namespace coapt
   {
     prm.declare_entry("Task",
                       name,
-                      dealii::Patterns::Selection("valve|flow"),
-                      "What to compute: the closure of a valve, or the flow of "
-                      "a fluid alone in a box. It decides which parameters "
-                      "there are.");
+                      dealii::Patterns::Selection("valve|flow|immersed"),
+                      "What to compute: the closure of a valve, the flow of a "
+                      "fluid alone in a box, or one with elastic bodies in "
+                      "it. It decides which parameters there are.");
   }
 
 

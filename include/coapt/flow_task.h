@@ -9,10 +9,13 @@
 
 namespace coapt
 {
-  /** The flow of a fluid alone in a box, at several levels of refinement. */
+  /** The flow of a fluid in a box, alone or with elastic bodies in it, at
+   * several levels of refinement. */
   class FlowTask : public Task
   {
   public:
+    explicit FlowTask(const FlowContents contents);
+
     void
     declare_parameters(dealii::ParameterHandler &prm) const override;
 
@@ -26,6 +29,7 @@ namespace coapt
     run(const OutputFolder &folder) override;
 
   private:
+    FlowContents contents;
     FlowParameters parameters;
     std::string file;
     dealii::ParameterHandler *prm = nullptr; // of read()

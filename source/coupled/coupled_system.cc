@@ -73,7 +73,7 @@ namespace coapt
     add_solid_forces();
     add_loads(t);
     finish_solid(y_dot + at.position(), y_dot + at.solid_velocity());
-    finish_fluid(y_dot + at.velocity());
+    finish_fluid(t, y_dot + at.velocity());
   }
 
 
@@ -165,10 +165,11 @@ namespace coapt
 
   template <int dim>
   void
-  CoupledSystem<dim>::finish_fluid(double *acceleration)
+  CoupledSystem<dim>::finish_fluid(const double t, double *acceleration)
   {
     const auto scope = timing.scope(sections.exchange);
     fluid.finish(fluid_force.data(), acceleration);
+    fluid.set_boundary_acceleration(t, acceleration);
   }
 
 

@@ -255,6 +255,24 @@ namespace coapt
     return octree.cell_size(level);
   }
 
+
+
+  template <int dim>
+  FluidOperator<dim> &
+  FlowModel<dim>::fluid()
+  {
+    return op;
+  }
+
+
+
+  template <int dim>
+  double
+  FlowModel<dim>::smallest_cell_size() const
+  {
+    return octree.cell_size(octree.triangulation().n_global_levels() - 1);
+  }
+
   template class FlowModel<2>;
   template class FlowModel<3>;
 } // namespace coapt

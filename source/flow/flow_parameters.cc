@@ -1,5 +1,6 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/flow/flow_parameters.h>
+#include <coapt/flow/number_lists.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
@@ -23,45 +24,6 @@ namespace coapt
       {"velocity", FluidBoundary::velocity},
       {"pressure", FluidBoundary::pressure_end}};
 
-    std::string
-    join(const std::vector<double> &numbers)
-    {
-      std::string text;
-      for (const double number : numbers)
-        text +=
-          (text.empty() ? "" : ", ") + dealii::Utilities::to_string(number);
-      return text;
-    }
-
-    /** The numbers of a list "0.1, 0.2". */
-    std::vector<double>
-    numbers(const std::string &name, const std::string &list)
-    {
-      try
-        {
-          return dealii::Utilities::string_to_double(split_string_list(list));
-        }
-      catch (const std::exception &)
-        {
-          throw InputError(name + " contains '" + list +
-                           "', expected are numbers separated by commas");
-        }
-    }
-
-    /** Throws InputError unless a list has an entry for each dimension. */
-    template <typename Number>
-    const std::vector<Number> &
-    checked(const std::string &name,
-            const std::vector<Number> &list,
-            const unsigned int dimension)
-    {
-      if (list.size() != dimension)
-        throw InputError(name + " has " + std::to_string(list.size()) +
-                         " coordinate(s), expected are " +
-                         std::to_string(dimension) + " (Flow/Dimension)");
-      return list;
-    }
-
     /** A line "0, 0 : 1, 0 : 11". */
     FlowParameters::Line
     line(const std::string &text, const unsigned int dimension)
@@ -71,12 +33,12 @@ namespace coapt
       if (parts.size() != 3)
         throw InputError(name + " contains '" + text +
                          "', expected is begin : end : number of points");
-      const double n = checked(name, numbers(name, parts[2]), 1)[0];
+      const double n = checked_size(name, read_numbers(name, parts[2]), 1)[0];
       if (!(n >= 2 && n <= 1e5))
         throw InputError(name + " contains a line of " + parts[2] +
                          " points, allowed are 2 to 100000");
-      return {checked(name, numbers(name, parts[0]), dimension),
-              checked(name, numbers(name, parts[1]), dimension),
+      return {checked_size(name, read_numbers(name, parts[0]), dimension),
+              checked_size(name, read_numbers(name, parts[1]), dimension),
               static_cast<unsigned int>(n)};
     }
 
@@ -91,11 +53,11 @@ namespace coapt
                         "Number of space dimensions. In two, forces and "
                         "energies are those of a depth of 1 m.");
       prm.declare_entry("Lower corner",
-                        join(defaults.lower),
+                        join_numbers(defaults.lower),
                         coordinates,
                         "Lower corner of the box (m).");
       prm.declare_entry("Upper corner",
-                        join(defaults.upper),
+                        join_numbers(defaults.upper),
                         coordinates,
                         "Upper corner of the box (m).");
       prm.declare_entry("Coarse cells",
@@ -242,14 +204,15 @@ namespace coapt
 
 
   void
-  FlowParameters::declare_parameters(ParameterHandler &prm)
+  FlowParameters::declare_parameters(ParameterHandler &prm,
+                                     const FlowContents contents)
   {
     RunParameters::declare_parameters(prm);
     prm.enter_subsection("Time");
     prm.declare_entry("Step safety",
                       "0.8",
                       Double(0.01, 1.5),
-                      "Step length over the stability limit of the fluid (-).");
+                      "Step length over the stability limit (-).");
     prm.leave_subsection();
     FluidParameters::declare_parameters(prm);
     prm.enter_subsection("Flow");
@@ -270,6 +233,8 @@ namespace coapt
                       List(Double(), 0, 100),
                       "Values of the parameter, a run for each of them.");
     prm.leave_subsection();
+    if (contents == FlowContents::bodies)
+      ImmersedParameters::declare_parameters(prm);
   }
 
 
@@ -286,7 +251,7 @@ namespace coapt
     prm.enter_subsection("Flow");
     dimension           = prm.get_integer("Dimension");
     const auto point_of = [&](const std::string &name) {
-      return numbers("Flow/" + name, prm.get(name));
+      return read_numbers("Flow/" + name, prm.get(name));
     };
     const auto integers = [&](const std::string &name) {
       std::vector<unsigned int> result;
@@ -294,18 +259,20 @@ namespace coapt
         result.push_back(static_cast<unsigned int>(number));
       return result;
     };
-    lower = checked("Flow/Lower corner", point_of("Lower corner"), dimension);
-    upper = checked("Flow/Upper corner", point_of("Upper corner"), dimension);
+    lower =
+      checked_size("Flow/Lower corner", point_of("Lower corner"), dimension);
+    upper =
+      checked_size("Flow/Upper corner", point_of("Upper corner"), dimension);
     coarse_cells =
-      checked("Flow/Coarse cells", integers("Coarse cells"), dimension);
+      checked_size("Flow/Coarse cells", integers("Coarse cells"), dimension);
     refinements  = integers("Refinements");
     patch_lower  = point_of("Patch lower corner");
     patch_upper  = point_of("Patch upper corner");
     patch_levels = prm.get_integer("Patch levels");
     if (!patch_lower.empty() || !patch_upper.empty())
       {
-        checked("Flow/Patch lower corner", patch_lower, dimension);
-        checked("Flow/Patch upper corner", patch_upper, dimension);
+        checked_size("Flow/Patch lower corner", patch_lower, dimension);
+        checked_size("Flow/Patch upper corner", patch_upper, dimension);
       }
     for (unsigned int i = 0; i < 6; ++i)
       sides[i] = boundary_kinds.at(prm.get("Side " + side_names[i]));
@@ -324,12 +291,9 @@ namespace coapt
                        std::to_string(obstacle_center.size()) +
                        " coordinate(s), expected are 2 (x and y)");
     reference_speed = prm.get_double("Reference speed");
-    pressure_points.clear();
-    for (const std::string &text :
-         split_string_list(prm.get("Pressure points"), ';'))
-      pressure_points.push_back(checked("Flow/Pressure points",
-                                        numbers("Flow/Pressure points", text),
-                                        dimension));
+    pressure_points = read_points("Flow/Pressure points",
+                                  prm.get("Pressure points"),
+                                  dimension);
     profiles.clear();
     for (const std::string &text : split_string_list(prm.get("Profiles"), ';'))
       profiles.push_back(line(text, dimension));
@@ -340,7 +304,7 @@ namespace coapt
 
     prm.enter_subsection("Study");
     varied_parameter = prm.get("Parameter");
-    varied_values    = numbers("Study/Values", prm.get("Values"));
+    varied_values    = read_numbers("Study/Values", prm.get("Values"));
     prm.leave_subsection();
     if (varied_parameter.empty() != varied_values.empty())
       throw InputError("Study/Parameter and Study/Values belong together, "
@@ -349,6 +313,8 @@ namespace coapt
       throw InputError("Study/Parameter is varied at one level, but "
                        "Flow/Refinements has " +
                        std::to_string(refinements.size()));
+    if (immersed)
+      immersed->parse_parameters(prm, dimension);
   }
 
 

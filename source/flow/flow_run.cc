@@ -51,20 +51,29 @@ namespace coapt
     , reference(reference)
     , log(log)
     , model(parameters, level, communicator)
+    , bodies(parameters.immersed
+               ? std::make_unique<ImmersedBodies<dim>>(parameters, model)
+               : nullptr)
     , obstacle_force(model)
     , integrator(
         communicator,
         [this](const double t, const double *y, double *y_dot) {
-          model.rhs(t, y, y_dot);
+          if (bodies)
+            bodies->rhs(t, y, y_dot);
+          else
+            model.rhs(t, y, y_dot);
         },
-        [](const double, double *) {})
+        [this](const double t, double *y) {
+          if (bodies)
+            bodies->finish_step(t, y);
+        })
     , step_control(step_parameters(parameters))
-    , state(model.initial_state())
+    , state(bodies ? bodies->initial_state() : model.initial_state())
     , start(std::chrono::steady_clock::now())
   {
     for (const auto &coordinates : parameters.pressure_points)
       pressure_points.push_back(as_point<dim>(coordinates));
-    step_control.update({{"fluid", model.fluid().max_stable_step()}});
+    update_step_limits();
     // points outside the box are found out here
     sample();
     deviation();
@@ -84,6 +93,8 @@ namespace coapt
       const double t = integrator.time();
       times.push_back(t);
       rows.push_back(sample());
+      if (bodies)
+        add_bodies(rows.back());
       Row row = rows.back();
       row.insert(row.begin(), {"time_s", t});
       statistics.write_row(row);
@@ -93,6 +104,8 @@ namespace coapt
       if (to.fields_interval > 0 && (t >= next_fields * (1 - 1e-9) || is_last))
         {
           fields.write(t, state.data());
+          if (bodies)
+            bodies->write_fields(folder.file("fields"), t, state.data());
           next_fields += to.fields_interval;
         }
     };
@@ -104,13 +117,59 @@ namespace coapt
         const double until =
           std::min(to.end_time, integrator.time() + to.output_interval);
         while (integrator.time() < until * (1 - 1e-12))
-          integrator.step(step_control.step(until - integrator.time()));
+          advance(until - integrator.time());
         check_finite();
         record();
         report_progress(model.fluid().largest_velocity(state.data()).speed);
       }
     write_profiles(folder);
     return result();
+  }
+
+
+
+  template <int dim>
+  void
+  FlowRun<dim>::advance(const double time_left)
+  {
+    const unsigned int steps_between_limits = 20;
+    if (!bodies)
+      return integrator.step(step_control.step(time_left));
+    if (integrator.n_steps() % steps_between_limits == 0)
+      update_step_limits();
+    const double dt = step_control.step(time_left);
+    bodies->begin_step(dt);
+    integrator.step(dt);
+    if (bodies->follow(state))
+      integrator.start(integrator.time(), state);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowRun<dim>::update_step_limits()
+  {
+    if (bodies)
+      step_control.update(bodies->step_limits(state.data()));
+    else
+      step_control.update({{"fluid", model.fluid().max_stable_step()}});
+  }
+
+
+
+  template <int dim>
+  void
+  FlowRun<dim>::add_bodies(Row &row)
+  {
+    const Row own = bodies->sample(integrator.time(), state.data());
+    row.insert(row.end(), own.begin(), own.end());
+    if (!model.obstacle() || parameters.reference_speed > 0)
+      return;
+    const auto total =
+      obstacle_force.force(integrator.time(), state.data()) + bodies->force();
+    row.emplace_back("total_drag_N", total[0]);
+    row.emplace_back("total_lift_N", total[1]);
   }
 
 

@@ -221,7 +221,7 @@ namespace coapt
   RefinementStudy<dim>::write_summary(const std::string &file) const
   {
     Summary summary;
-    summary.set("task", "flow");
+    summary.set("task", parameters.immersed ? "immersed" : "flow");
     summary.set("version", version());
     summary.set("revision", revision());
     summary.set("dimension", static_cast<unsigned int>(dim));

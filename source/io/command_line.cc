@@ -58,7 +58,7 @@ namespace coapt
            "names, and runs nothing\n"
            "coapt --preview FILE.prm writes the valve for a look at it into "
            "geometry/ of the output folder\n"
-           "coapt --write-defaults [valve|flow]\n"
+           "coapt --write-defaults [valve|flow|immersed]\n"
            "                         prints all parameters of a task with their "
            "defaults and documentation\n"
            "coapt --version          prints the versions of program and "

@@ -20,6 +20,8 @@ namespace coapt
         {
           case VtuFile::CellType::line:
             return 2;
+          case VtuFile::CellType::triangle:
+            return 3;
           case VtuFile::CellType::pixel:
           case VtuFile::CellType::tetrahedron:
             return 4;

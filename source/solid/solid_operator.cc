@@ -11,7 +11,17 @@ namespace coapt
 {
   namespace
   {
-    using Materials = std::variant<HolzapfelGasserOgden, Ogden, NeoHookean>;
+    using Materials = std::variant<HolzapfelGasserOgden,
+                                   Ogden,
+                                   NeoHookean,
+                                   SaintVenantKirchhoff,
+                                   TenseFibres>;
+
+    /** Whether a material exists in 3D only. */
+    template <typename Material>
+    constexpr bool is_spatial =
+      std::is_same<Material, HolzapfelGasserOgden>::value ||
+      std::is_same<Material, Ogden>::value;
 
     Materials
     selected_material(const SolidParameters &parameters)
@@ -21,6 +31,10 @@ namespace coapt
         return parameters.holzapfel_gasser_ogden;
       if (parameters.material == "Ogden")
         return parameters.ogden;
+      if (parameters.material == "St Venant-Kirchhoff")
+        return parameters.saint_venant_kirchhoff;
+      if (parameters.material == "tense fibres")
+        return parameters.tense_fibres;
       return parameters.neo_hookean;
     }
 
@@ -73,8 +87,8 @@ namespace coapt
         {
           if (needs_fibre && !(fibre[i].norm() > 0))
             throw InputError("Solid: the fibre of cell " + std::to_string(i) +
-                             " is zero or not a number, HGO needs one in "
-                             "every cell.");
+                             " is zero or not a number, the material needs "
+                             "one in every cell.");
           if (!prestretch.empty() && !(determinant(prestretch[i]) > 0))
             throw InputError("Solid: the prestretch of cell " +
                              std::to_string(i) +
@@ -165,13 +179,16 @@ namespace coapt
     , volumes(signed_volumes(mesh))
     , prestretch(prestretch)
   {
-    if (dim == 2 && !std::holds_alternative<NeoHookean>(material))
+    if (dim == 2 &&
+        (std::holds_alternative<HolzapfelGasserOgden>(material) ||
+         std::holds_alternative<Ogden>(material)))
       throw InputError("Solid/Material is " + parameters.material +
-                       ", in 2D only neo-Hookean is available.");
+                       ", which is available in 3D only.");
     check_volumes(mesh, volumes);
     check_fields(fibre,
                  prestretch,
-                 std::holds_alternative<HolzapfelGasserOgden>(material),
+                 std::holds_alternative<HolzapfelGasserOgden>(material) ||
+                   std::holds_alternative<TenseFibres>(material),
                  volumes.size());
     nodal_mass = lumped_mass(mesh, volumes, density);
     cells      = partition_cells(mesh, communicator);
@@ -199,7 +216,7 @@ namespace coapt
     std::visit(
       [&f](const auto &law) {
         using Law = std::decay_t<decltype(law)>;
-        if constexpr (dim == 3 || std::is_same<Law, NeoHookean>::value)
+        if constexpr (dim == 3 || !is_spatial<Law>)
           f(law);
       },
       material);

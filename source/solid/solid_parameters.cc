@@ -15,10 +15,13 @@ namespace coapt
     prm.enter_subsection("Solid");
     prm.declare_entry("Material",
                       defaults.material,
-                      Selection("HGO|Ogden|neo-Hookean"),
-                      "Law of the leaflet: HGO (Holzapfel-Gasser-Ogden, with "
-                      "fibres), Ogden (isotropic) or neo-Hookean; each has a "
-                      "subsection.");
+                      Selection("HGO|Ogden|neo-Hookean|"
+                                "St Venant-Kirchhoff|tense fibres"),
+                      "Law of the solid: HGO (Holzapfel-Gasser-Ogden, with "
+                      "fibres), Ogden (isotropic), neo-Hookean, St "
+                      "Venant-Kirchhoff, or tense fibres without matrix; each "
+                      "has a subsection. In 2D, HGO and Ogden are not "
+                      "available.");
     prm.declare_entry("Density",
                       std::to_string(defaults.density),
                       Double(1, 1e5),
@@ -30,6 +33,8 @@ namespace coapt
     HolzapfelGasserOgden::declare_parameters(prm);
     Ogden::declare_parameters(prm);
     NeoHookean::declare_parameters(prm);
+    SaintVenantKirchhoff::declare_parameters(prm);
+    TenseFibres::declare_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -43,6 +48,8 @@ namespace coapt
     holzapfel_gasser_ogden.parse_parameters(prm);
     ogden.parse_parameters(prm);
     neo_hookean.parse_parameters(prm);
+    saint_venant_kirchhoff.parse_parameters(prm);
+    tense_fibres.parse_parameters(prm);
     prm.leave_subsection();
     check();
   }
@@ -56,9 +63,14 @@ namespace coapt
       ogden.check();
     else if (material == "neo-Hookean")
       neo_hookean.check();
+    else if (material == "St Venant-Kirchhoff")
+      saint_venant_kirchhoff.check();
+    else if (material == "tense fibres")
+      tense_fibres.check();
     else
       throw InputError("Solid/Material is \"" + material +
-                       "\", allowed are HGO, Ogden and neo-Hookean.");
+                       "\", allowed are HGO, Ogden, neo-Hookean, St "
+                       "Venant-Kirchhoff and tense fibres.");
 
     std::ostringstream message;
     if (!(density > 0))

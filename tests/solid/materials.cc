@@ -303,6 +303,10 @@ main(int argc, char *argv[])
   check_derivative<3>("HGO", HolzapfelGasserOgden());
   check_derivative<2>("neo-Hookean 2D", NeoHookean());
   check_derivative<3>("neo-Hookean 3D", NeoHookean());
+  check_derivative<2>("St Venant-Kirchhoff 2D", SaintVenantKirchhoff());
+  check_derivative<3>("St Venant-Kirchhoff 3D", SaintVenantKirchhoff());
+  check_derivative<2>("tense fibres 2D", TenseFibres());
+  check_derivative<3>("tense fibres 3D", TenseFibres());
   check_ogden();
   check_batch("HGO", HolzapfelGasserOgden());
   check_batch("Ogden", Ogden());

@@ -185,7 +185,7 @@ namespace coapt
     finish_solid(double *position_rate, double *velocity_rate);
 
     void
-    finish_fluid(double *acceleration);
+    finish_fluid(const double t, double *acceleration);
     /** @} */
 
     void

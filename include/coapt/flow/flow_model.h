@@ -63,9 +63,16 @@ namespace coapt
     const FluidOperator<dim> &
     fluid() const;
 
+    FluidOperator<dim> &
+    fluid();
+
     /** Edge length (m) of cells outside the patch. */
     double
     cell_size() const;
+
+    /** Edge length (m) of the smallest cells. */
+    double
+    smallest_cell_size() const;
 
     /** Exact solution, empty if there is none. @{ */
     const VectorField<dim> exact_velocity;

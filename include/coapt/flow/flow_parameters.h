@@ -3,10 +3,12 @@
 
 #include <coapt/base/run_parameters.h>
 #include <coapt/flow/expressions.h>
+#include <coapt/flow/immersed_parameters.h>
 #include <coapt/fluid/boundary_conditions.h>
 #include <coapt/fluid/fluid_parameters.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +19,18 @@ namespace dealii
 
 namespace coapt
 {
+  /** What is in the fluid. */
+  enum class FlowContents
+  {
+    nothing,
+    bodies
+  };
+
   /**
-   * A flow in a box, without a solid: what the task "flow" computes. Lengths
-   * in m, unlike those of valves, since verification has no natural scale.
-   * Lists of coordinates have as many entries as there are dimensions.
+   * A flow in a box: what the task "flow" computes, or with elastic bodies in
+   * it the task "immersed". Lengths in m, unlike those of valves, since
+   * verification has no natural scale. Lists of coordinates have as many
+   * entries as there are dimensions.
    */
   struct FlowParameters
   {
@@ -88,7 +98,7 @@ namespace coapt
     /** Mean, range and frequency of signals are taken from here on (s). */
     double figures_from = 0;
 
-    /** Step over the stability limit of the fluid. */
+    /** Step over the stability limit. */
     double step_safety = 0.8;
 
     /** Parameter ("Section/Entry") that is varied in place of the level, and
@@ -96,11 +106,16 @@ namespace coapt
     std::string varied_parameter;
     std::vector<double> varied_values;
 
+    /** The bodies in the fluid, if there are any. */
+    std::optional<ImmersedParameters> immersed;
+
     /** Declares the parameters of the task. */
     static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    declare_parameters(dealii::ParameterHandler &prm,
+                       const FlowContents contents = FlowContents::nothing);
 
-    /** Reads them. Throws InputError for what does not fit together. */
+    /** Reads them, those of bodies if immersed is there. Throws InputError for
+     * what does not fit together. */
     void
     parse_parameters(dealii::ParameterHandler &prm);
 

@@ -6,6 +6,7 @@
 #include <coapt/flow/flow_fields.h>
 #include <coapt/flow/flow_model.h>
 #include <coapt/flow/flow_sampler.h>
+#include <coapt/flow/immersed_bodies.h>
 #include <coapt/flow/obstacle_force.h>
 #include <coapt/io/output_folder.h>
 #include <coapt/io/statistics.h>
@@ -13,6 +14,7 @@
 #include <coapt/time/step_control.h>
 
 #include <chrono>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,7 +35,8 @@ namespace coapt
     std::vector<std::pair<std::string, double>> figures;
   };
 
-  /** One flow at one level, from time 0 to the end time. */
+  /** One flow, with the bodies in it, at one level, from time 0 to the end
+   * time. */
   template <int dim>
   class FlowRun
   {
@@ -56,9 +59,21 @@ namespace coapt
   private:
     using Row = std::vector<Statistics::Entry>;
 
-    /** What is recorded at each output. */
+    /** A step, at most as long as @p time_left (s). */
+    void
+    advance(const double time_left);
+
+    /** Length limits of the next steps. */
+    void
+    update_step_limits();
+
+    /** What is recorded of the fluid at each output. */
     Row
     sample() const;
+
+    /** Adds what is recorded of the bodies. */
+    void
+    add_bodies(Row &row);
 
     /** Adds the forces on the obstacle, or their coefficients. */
     void
@@ -90,6 +105,7 @@ namespace coapt
     std::vector<ReferenceValue<dim>> reference;
     Log &log;
     FlowModel<dim> model;
+    std::unique_ptr<ImmersedBodies<dim>> bodies; // if there are any
     ObstacleForce<dim> obstacle_force;
     std::vector<dealii::Point<dim>> pressure_points;
     ExplicitIntegrator integrator;

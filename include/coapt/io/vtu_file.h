@@ -20,6 +20,7 @@ namespace coapt
     enum class CellType : unsigned int
     {
       line        = 3,
+      triangle    = 5,
       pixel       = 8,
       tetrahedron = 10,
       voxel       = 11
@@ -27,7 +28,7 @@ namespace coapt
 
     /**
      * A grid with @p points (m) and cells, the node numbers of which follow
-     * each other in @p connectivity: 2, 4, 4 or 8 a cell.
+     * each other in @p connectivity: 2, 3, 4, 4 or 8 a cell.
      */
     VtuFile(const std::vector<dealii::Point<3>> &points,
             const std::vector<unsigned int> &connectivity,

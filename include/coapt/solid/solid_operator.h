@@ -48,13 +48,13 @@ namespace coapt
     };
 
     /**
-     * @p fibre (one vector a cell) is needed by the material HGO and
-     * otherwise ignored; @p prestretch F0 (one tensor a cell, positive
-     * determinant) may be empty: identity. Collective.
+     * @p fibre (one vector a cell) is needed by the materials HGO and
+     * tense fibres, and otherwise ignored; @p prestretch F0 (one tensor a cell,
+     * positive determinant) may be empty: identity. Collective.
      *
      * @throws InputError if cells are inverted or without volume (the first
      * ten are listed), if the material is not admissible or not available
-     * (2D: neo-Hookean only), or if fibres or prestretches are missing, of
+     * (HGO and Ogden in 2D), or if fibres or prestretches are missing, of
      * another number than the cells, zero or singular.
      */
     SolidOperator(const SimplexMesh<dim> &mesh,
@@ -137,7 +137,12 @@ namespace coapt
     MPI_Comm communicator;
     double density, viscosity;
     double viscous_rate;
-    std::variant<HolzapfelGasserOgden, Ogden, NeoHookean> material;
+    std::variant<HolzapfelGasserOgden,
+                 Ogden,
+                 NeoHookean,
+                 SaintVenantKirchhoff,
+                 TenseFibres>
+      material;
     std::vector<double> volumes, nodal_mass;
     std::vector<unsigned int> cells;
     std::vector<dealii::Tensor<2, dim>> prestretch;

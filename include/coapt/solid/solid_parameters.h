@@ -4,6 +4,8 @@
 #include <coapt/solid/materials/holzapfel_gasser_ogden.h>
 #include <coapt/solid/materials/neo_hookean.h>
 #include <coapt/solid/materials/ogden.h>
+#include <coapt/solid/materials/saint_venant_kirchhoff.h>
+#include <coapt/solid/materials/tense_fibres.h>
 
 #include <string>
 
@@ -17,7 +19,8 @@ namespace coapt
   /** The solid's material, density and damping: the subsection "Solid". */
   struct SolidParameters
   {
-    /** "HGO", "Ogden" or "neo-Hookean". */
+    /** "HGO", "Ogden", "neo-Hookean", "St Venant-Kirchhoff" or "tense
+     * fibres". */
     std::string material = "HGO";
 
     /** Mass density in the reference (kg/m^3). */
@@ -29,6 +32,8 @@ namespace coapt
     HolzapfelGasserOgden holzapfel_gasser_ogden;
     Ogden ogden;
     NeoHookean neo_hookean;
+    SaintVenantKirchhoff saint_venant_kirchhoff;
+    TenseFibres tense_fibres;
 
     /** Declares the subsection "Solid" and those of the materials in it. */
     static void

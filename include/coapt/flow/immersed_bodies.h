@@ -1,0 +1,138 @@
+#ifndef coapt_flow_immersed_bodies_h
+#define coapt_flow_immersed_bodies_h
+
+#include <coapt/coupled/coupled_system.h>
+#include <coapt/flow/flow_model.h>
+#include <coapt/geometry/body_shapes.h>
+#include <coapt/io/statistics.h>
+#include <coapt/time/step_control.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * The elastic bodies in a flow, and the coupled system that they make with
+   * its fluid. A state is that of FlowModel, followed by positions and
+   * velocities of the solid and the multiplier.
+   */
+  template <int dim>
+  class ImmersedBodies
+  {
+  public:
+    using Row = std::vector<Statistics::Entry>;
+
+    /** Builds the bodies of @p parameters in the fluid of @p model. Throws
+     * InputError, for example for a body outside of the box. Collective. */
+    ImmersedBodies(const FlowParameters &parameters, FlowModel<dim> &model);
+
+    ImmersedBodies(const ImmersedBodies &) = delete;
+
+    /** The state at time 0: the fluid of FlowModel, bodies at rest. */
+    std::vector<double>
+    initial_state();
+
+    /** What the coming step of length @p dt (s) needs to know. */
+    void
+    begin_step(const double dt);
+
+    /** y' = f(t, y). Collective. */
+    void
+    rhs(const double t, const double *y, double *y_dot);
+
+    /** Acts on the state after a step. Collective. */
+    void
+    finish_step(const double t, double *y);
+
+    /** Due after each step: sums up the flow through the box. Gives coupling
+     * points that have left their rank to others and returns whether there
+     * were any, for @p y is of another length then. Collective. */
+    bool
+    follow(std::vector<double> &y);
+
+    /** Limits of the step of all parts. Collective. */
+    std::vector<StepLimit>
+    step_limits(const double *y) const;
+
+    /** The figures of the bodies at time @p t, forces and leak as means since
+     * the last call. Collective. */
+    Row
+    sample(const double t, const double *y);
+
+    /** The mean force of the fluid on the bodies (N) over the interval of the
+     * last sample(). */
+    const dealii::Tensor<1, dim> &
+    force() const
+    {
+      return mean_force;
+    }
+
+    /** Adds a file of the bodies to those in @p folder. Collective. */
+    void
+    write_fields(const std::string &folder, const double t, const double *y);
+
+  private:
+    /** A material point: weights of the nodes of a cell. */
+    struct MaterialPoint
+    {
+      unsigned int cell;
+      std::array<double, dim + 1> weights;
+    };
+
+    /** Cells [begin, end) of one body. */
+    using CellRange = std::pair<unsigned int, unsigned int>;
+
+    ShapedBody<dim>
+    make_bodies();
+
+    std::vector<bool>
+    held_nodes() const;
+
+    void
+    check_inside() const;
+
+    MaterialPoint
+    find(const dealii::Point<dim> &point) const;
+
+    dealii::Tensor<1, dim>
+    displacement(const MaterialPoint &point,
+                 const std::vector<double> &X) const;
+
+    void
+    add_shape_figures(Row &row, const std::vector<double> &X) const;
+
+    void
+    add_leak(Row &row, const double interval, const std::vector<double> &X);
+
+    void
+    measure_force(const double interval, const std::vector<double> &V);
+
+    /** Volume between the plane x = 0 and the strips. */
+    double
+    volume_behind_strips(const std::vector<double> &X) const;
+
+    FlowParameters parameters;
+    FlowModel<dim> &model;
+    std::vector<CellRange> ranges;
+    ShapedBody<dim> body;
+    SolidOperator<dim> solid;
+    CouplingPoints<dim> points;
+    Timing timing;
+    CoupledSystem<dim> system;
+    std::vector<MaterialPoint> displacement_points;
+    std::vector<double> initial_volumes; // of the bodies
+
+    double step_length = 0;
+    double last_sample = 0; // time
+    double outflow     = 0; // since the last sample, m^3
+    double last_volume = 0; // behind the strips
+    dealii::Tensor<1, dim> mean_force, last_momentum;
+    std::vector<std::pair<double, std::string>> field_files;
+  };
+} // namespace coapt
+
+#endif

@@ -1,0 +1,134 @@
+// Bodies of simple shape: volumes, orientation, faces.
+#include <coapt/geometry/body_shapes.h>
+
+#include <functional>
+#include <map>
+
+#include "tests.h"
+
+using namespace coapt;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  /** Volume of all cells; not a number if one of them is inverted. */
+  template <int dim>
+  double
+  volume(const SimplexMesh<dim> &mesh)
+  {
+    double sum = 0;
+    for (const auto &cell : mesh.cells)
+      {
+        Tensor<2, dim> edges;
+        for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int d = 0; d < dim; ++d)
+            edges[d][a] =
+              mesh.points[cell[a + 1]][d] - mesh.points[cell[0]][d];
+        const double v = determinant(edges) / (dim == 2 ? 2 : 6);
+        sum += v > 0 ? v : std::nan("");
+      }
+    return sum;
+  }
+
+  template <int dim>
+  std::vector<double>
+  positions(const SimplexMesh<dim> &mesh)
+  {
+    std::vector<double> X;
+    for (const auto &x : mesh.points)
+      for (unsigned int d = 0; d < dim; ++d)
+        X.push_back(x[d]);
+    return X;
+  }
+
+  /** Area of a regular polygon. */
+  double
+  polygon(const double radius, const unsigned int n)
+  {
+    return n / 2. * radius * radius * std::sin(2 * std::acos(-1.) / n);
+  }
+
+  void
+  check_fibres(const std::string &name,
+               const ShapedBody<2> &body,
+               const Point<2> &center)
+  {
+    double worst = body.fibre.size() == body.mesh.cells.size() ? 0 : 1;
+    for (unsigned int c = 0; c < body.fibre.size(); ++c)
+      {
+        Tensor<1, 2> r;
+        for (const unsigned int node : body.mesh.cells[c])
+          r += (body.mesh.points[node] - center) / 3.;
+        worst = std::max(worst, std::abs(body.fibre[c] * r) / r.norm());
+        worst = std::max(worst, std::abs(body.fibre[c].norm() - 1));
+      }
+    check(name + ", unit vectors around the centre", worst < 1e-12, worst);
+  }
+
+  void
+  check_round_bodies()
+  {
+    const Point<2> center(0.6, 0.5);
+    const ShapedBody<2> disc = disc_body(center, 0.2, 0.05);
+    check_relative("disc, area",
+                   volume(disc.mesh),
+                   polygon(0.2, 6 * 4),
+                   1e-12);
+    check_fibres("disc", disc, center);
+    const ShapedBody<2> ring = ring_body(center, 0.25, 0.0625, 0.03125);
+    const unsigned int n     = ring.mesh.points.size() / 3;
+    check_relative("ring, area",
+                   volume(ring.mesh),
+                   polygon(0.3125, n) - polygon(0.25, n),
+                   1e-12);
+    check_fibres("ring", ring, center);
+
+    ShapedBody<2> both = disc;
+    append(both, ring);
+    check_relative("disc and ring, area",
+                   volume(both.mesh),
+                   volume(disc.mesh) + volume(ring.mesh),
+                   1e-12);
+  }
+
+  template <int dim>
+  void
+  check_strip(const std::string &name, const double thickness_sign)
+  {
+    StripShape<dim> shape;
+    shape.begin     = Point<2>(0.3, 0);
+    shape.end       = Point<2>(0.4, 1);
+    shape.thickness = Tensor<1, 2>({thickness_sign * 0.1, 0.});
+    shape.bow       = 0.05;
+    shape.z_lower   = 0.5;
+    shape.z_upper   = 1;
+    const ShapedBody<dim> strip = strip_body(shape, 0.05);
+    const double depth          = dim == 3 ? 0.5 : 1.;
+    check_relative(name + ", volume", volume(strip.mesh), 0.1 * depth, 1e-12);
+    const auto X       = positions(strip.mesh);
+    const double lower = volume_behind<dim>(strip.lower_face, X);
+    const double upper = volume_behind<dim>(strip.upper_face, X);
+    check_relative(name + ", volume between the faces",
+                   thickness_sign * (upper - lower),
+                   0.1 * depth,
+                   1e-12);
+    // the parabola as trapezoids: 20 parts along the strip
+    const double middle = 0.35 + thickness_sign * 2. / 3 * 0.05 * (1 - 1. / 400);
+    check_relative(name + ", volume behind its middle",
+                   (upper + lower) / 2,
+                   middle * depth,
+                   1e-12);
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
+  check_round_bodies();
+  check_strip<2>("strip", 1);
+  check_strip<2>("strip, thickness against x", -1);
+  check_strip<3>("plate", 1);
+  check_strip<3>("plate, thickness against x", -1);
+}
