@@ -23,8 +23,7 @@ namespace
         Tensor<2, dim> edges;
         for (unsigned int a = 0; a < dim; ++a)
           for (unsigned int d = 0; d < dim; ++d)
-            edges[d][a] =
-              mesh.points[cell[a + 1]][d] - mesh.points[cell[0]][d];
+            edges[d][a] = mesh.points[cell[a + 1]][d] - mesh.points[cell[0]][d];
         const double v = determinant(edges) / (dim == 2 ? 2 : 6);
         sum += v > 0 ? v : std::nan("");
       }
@@ -71,10 +70,7 @@ namespace
   {
     const Point<2> center(0.6, 0.5);
     const ShapedBody<2> disc = disc_body(center, 0.2, 0.05);
-    check_relative("disc, area",
-                   volume(disc.mesh),
-                   polygon(0.2, 6 * 4),
-                   1e-12);
+    check_relative("disc, area", volume(disc.mesh), polygon(0.2, 6 * 4), 1e-12);
     check_fibres("disc", disc, center);
     const ShapedBody<2> ring = ring_body(center, 0.25, 0.0625, 0.03125);
     const unsigned int n     = ring.mesh.points.size() / 3;
@@ -97,12 +93,12 @@ namespace
   check_strip(const std::string &name, const double thickness_sign)
   {
     StripShape<dim> shape;
-    shape.begin     = Point<2>(0.3, 0);
-    shape.end       = Point<2>(0.4, 1);
-    shape.thickness = Tensor<1, 2>({thickness_sign * 0.1, 0.});
-    shape.bow       = 0.05;
-    shape.z_lower   = 0.5;
-    shape.z_upper   = 1;
+    shape.begin                 = Point<2>(0.3, 0);
+    shape.end                   = Point<2>(0.4, 1);
+    shape.thickness             = Tensor<1, 2>({thickness_sign * 0.1, 0.});
+    shape.bow                   = 0.05;
+    shape.z_lower               = 0.5;
+    shape.z_upper               = 1;
     const ShapedBody<dim> strip = strip_body(shape, 0.05);
     const double depth          = dim == 3 ? 0.5 : 1.;
     check_relative(name + ", volume", volume(strip.mesh), 0.1 * depth, 1e-12);
@@ -114,7 +110,8 @@ namespace
                    0.1 * depth,
                    1e-12);
     // the parabola as trapezoids: 20 parts along the strip
-    const double middle = 0.35 + thickness_sign * 2. / 3 * 0.05 * (1 - 1. / 400);
+    const double middle =
+      0.35 + thickness_sign * 2. / 3 * 0.05 * (1 - 1. / 400);
     check_relative(name + ", volume behind its middle",
                    (upper + lower) / 2,
                    middle * depth,
