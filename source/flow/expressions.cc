@@ -5,6 +5,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
+#include <iostream>
 #include <memory>
 #include <sstream>
 
@@ -16,8 +17,7 @@ namespace coapt
 
   namespace
   {
-    /** What muParser objects to, the last line of deal.II's exception that
-     * says anything. */
+    /** What muParser objects to, on one line. */
     std::string
     objection(const dealii::ExceptionBase &exception)
     {
@@ -29,6 +29,27 @@ namespace coapt
         line += (line.empty() ? "" : " ") + word;
       return line;
     }
+
+    /** Keeps std::cerr quiet while it lives: deal.II writes there what is wrong
+     * with an expression, before it throws. */
+    class SilentErrors
+    {
+    public:
+      SilentErrors() : before(std::cerr.rdbuf(nowhere.rdbuf()))
+      {
+      }
+      ~SilentErrors()
+      {
+        std::cerr.rdbuf(before);
+      }
+      SilentErrors(const SilentErrors &) = delete;
+      SilentErrors &
+      operator=(const SilentErrors &) = delete;
+
+    private:
+      std::ostringstream nowhere;
+      std::streambuf *before;
+    };
 
     template <int dim>
     std::shared_ptr<FunctionParser<dim>>
@@ -44,6 +65,7 @@ namespace coapt
                          " component(s) separated by ';', expected are " +
                          std::to_string(n_components));
       auto parser = std::make_shared<FunctionParser<dim>>(n_components);
+      const SilentErrors silent;
       try
         {
           parser->initialize(dim == 2 ? "x,y,t" : "x,y,z,t",

@@ -1,6 +1,7 @@
 #include <coapt/flow/signal.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace coapt
@@ -49,9 +50,12 @@ namespace coapt
     figures.largest = *range.second;
     const std::vector<double> crossings =
       rising_crossings(times, values, first, figures.mean);
-    figures.frequency = crossings.size() < 2
-      ? std::numeric_limits<double>::quiet_NaN()
-      : (crossings.size() - 1) / (crossings.back() - crossings.front());
+    const double magnitude =
+      std::max(std::abs(figures.least), std::abs(figures.largest));
+    const bool is_steady = figures.largest - figures.least < 0.01 * magnitude;
+    figures.frequency    = crossings.size() < 2 || is_steady
+         ? std::numeric_limits<double>::quiet_NaN()
+         : (crossings.size() - 1) / (crossings.back() - crossings.front());
     return figures;
   }
 } // namespace coapt

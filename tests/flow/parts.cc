@@ -72,6 +72,10 @@ namespace
     check_relative("least", figures.least, 1, 1e-3);
     check_relative("largest", figures.largest, 5, 1e-3);
     check_relative("frequency", figures.frequency, 4, 1e-4);
+    for (double &value : values)
+      value += 1000;
+    check("a steady signal",
+          std::isnan(signal_figures(times, values, 0.5).frequency));
   }
 
   /** A channel of rest with a disc, under a pressure that is linear in x: the

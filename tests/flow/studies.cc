@@ -74,10 +74,11 @@ namespace
             result.errors.velocity_max);
   }
 
-  /** The state at time 1 of a box of fluid whose lid swings, after @p n
-   * steps. */
+  /** The state at time 1 of a box of fluid whose lid starts to move, after @p n
+   * steps. The lid's speed is a cubic in time, for which the sampling of the
+   * boundary velocity is exact, so that only the steps matter. */
   std::vector<double>
-  swinging_lid(const unsigned int n)
+  starting_lid(const unsigned int n)
   {
     FlowParameters parameters;
     parameters.fluid.density              = 1;
@@ -85,7 +86,7 @@ namespace
     parameters.fluid.sound_speed          = 10;
     parameters.fluid.artificial_viscosity = 0;
     parameters.sides[3]                   = FluidBoundary::velocity;
-    parameters.boundary_velocity          = "sin(t)^2*x*(1-x); 0";
+    parameters.boundary_velocity          = "t^2*(3-2*t)*x*(1-x); 0";
     const FlowModel<2> model(parameters, 3, MPI_COMM_WORLD);
     ExplicitIntegrator integrator(
       MPI_COMM_WORLD,
@@ -103,18 +104,18 @@ namespace
   void
   check_order_in_time()
   {
-    const std::vector<double> best = swinging_lid(2560);
+    const std::vector<double> best = starting_lid(2560);
     double error[2];
     for (unsigned int i = 0; i < 2; ++i)
       {
-        const std::vector<double> y = swinging_lid(i == 0 ? 160 : 320);
+        const std::vector<double> y = starting_lid(i == 0 ? 160 : 320);
         double square               = 0;
         for (unsigned int k = 0; k < y.size(); ++k)
           square += (y[k] - best[k]) * (y[k] - best[k]);
         error[i] = dealii::Utilities::MPI::sum(square, MPI_COMM_WORLD);
       }
     const double order = std::log2(error[0] / error[1]) / 2;
-    check("swinging lid, order in time", order > 2.8, order);
+    check("starting lid, order in time", order > 2.8, order);
   }
 } // namespace
 

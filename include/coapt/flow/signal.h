@@ -12,7 +12,8 @@ namespace coapt
 
     /** Mean rate (1/s) at which the signal rises through its mean, from the
      * first to the last such crossing; not a number with fewer than
-     * two of them. */
+     * two of them, or if the signal is steady: its range is less than 1 % of
+     * its largest magnitude. */
     double frequency;
   };
 
