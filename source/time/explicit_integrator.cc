@@ -86,14 +86,20 @@ namespace coapt
 
 
 
-    /** Error weights of one: the caller sets the steps, nothing depends on
-     * them. */
+    /** The caller sets the steps, so nothing depends on error weights and
+     * norms, which would cost as much as a stage. @{ */
     int
-    unit_weights(N_Vector, N_Vector weights, void *)
+    no_weights(N_Vector, N_Vector, void *)
     {
-      N_VConst(1., weights);
       return 0;
     }
+
+    realtype
+    no_norm(N_Vector, N_Vector)
+    {
+      return 0;
+    }
+    /** @} */
 
 
 
@@ -161,6 +167,7 @@ namespace coapt
     check_flag(N_VEnableFusedOps_Parallel(vector, SUNTRUE),
                "N_VEnableFusedOps_Parallel");
     vector->ops->nvlinearcombination = &linear_combination;
+    vector->ops->nvwrmsnorm          = &no_norm;
     memory = ERKStepCreate(&ExplicitIntegrator::evaluate, t, vector, context);
     check_flag(memory ? 0 : -1, "ERKStepCreate");
 
@@ -173,8 +180,7 @@ namespace coapt
     check_flag(ERKStepSetTable(memory, table), "ERKStepSetTable");
     ARKodeButcherTable_Free(table);
     check_flag(ERKStepSetUserData(memory, this), "ERKStepSetUserData");
-    check_flag(ERKStepWFtolerances(memory, &unit_weights),
-               "ERKStepWFtolerances");
+    check_flag(ERKStepWFtolerances(memory, &no_weights), "ERKStepWFtolerances");
     check_flag(ERKStepSetPostprocessStepFn(memory,
                                            &ExplicitIntegrator::post_process),
                "ERKStepSetPostprocessStepFn");

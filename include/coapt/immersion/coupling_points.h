@@ -156,6 +156,10 @@ namespace coapt
       Register values;
     };
 
+    /** The dim numbers that begin at @p x. */
+    static typename Lanes::Register
+    load(const double *x);
+
     /** Copies one entry of dim numbers for each node. */
     static void
     to_lanes(const double *x, std::vector<Lanes> &result);
