@@ -132,8 +132,8 @@ namespace coapt
       }
     catch (const NumericalError &)
       {
-        // What failed is not yet the integrator's result; stop() looks at it.
-        std::copy_n(y, state.size(), state.begin());
+        // The integrator goes back to the state before.
+        failed_state.assign(y, y + state.size());
         throw;
       }
   }
@@ -231,8 +231,8 @@ namespace coapt
       recorder.write_fields(last_finite_time, last_finite_state.data());
     throw NumericalError(
       reason + " at t = " + std::to_string(integrator.time()) + " s (" +
-      model.name_not_finite(state) + "); the step was limited by the " +
-      step_control.limiter());
+      model.name_not_finite(failed_state.empty() ? state : failed_state) +
+      "); the step was limited by the " + step_control.limiter());
   }
 
 

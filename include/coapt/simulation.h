@@ -89,7 +89,7 @@ namespace coapt
     StepControl step_control;
     Sections sections;
     std::vector<double> state;
-    std::vector<double> last_finite_state;
+    std::vector<double> last_finite_state, failed_state;
     double last_finite_time = 0;
     double last_step        = 0;
   };

@@ -353,7 +353,7 @@ namespace coapt
   ValveModel::name_not_finite(const std::vector<double> &y) const
   {
     const auto bad = std::find_if(y.begin(), y.end(), [](const double value) {
-      return !std::isfinite(value);
+      return !(std::abs(value) < 1e100); // or its square overflows
     });
     const std::string name =
       bad == y.end() ? "" : name_of_entry(bad - y.begin());
