@@ -147,7 +147,7 @@ namespace coapt
       {
         check_finite(recorder);
         update_step_limits();
-        if (model.band_is_used_up(state))
+        if (model.band_is_used_up(state) || flow_adaptation_is_due())
           adapt();
       }
     if (integrator.n_steps() % parameters.step.sampling == 0)
@@ -164,12 +164,23 @@ namespace coapt
 
 
 
+  bool
+  Simulation::flow_adaptation_is_due() const
+  {
+    const MeshParameters &mesh = parameters.model.mesh;
+    return mesh.follows_flow() &&
+      integrator.time() > last_adaptation + mesh.flow_interval;
+  }
+
+
+
   void
   Simulation::adapt()
   {
     const auto scope    = timing.scope(sections.adaptation);
     const double before = monitor.stored_energy(state.data());
-    if (model.follow_leaflet(state))
+    last_adaptation     = integrator.time();
+    if (model.adapt(state, log))
       {
         monitor.note_adaptation(before, state.data());
         integrator.start(integrator.time(), state);

@@ -57,6 +57,9 @@ namespace coapt
     void
     prepare_step(Recorder &recorder);
 
+    bool
+    flow_adaptation_is_due() const;
+
     void
     adapt();
 
@@ -92,6 +95,7 @@ namespace coapt
     std::vector<double> last_finite_state, failed_state;
     double last_finite_time = 0;
     double last_step        = 0;
+    double last_adaptation  = 0;
   };
 } // namespace coapt
 
