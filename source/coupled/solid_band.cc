@@ -1,5 +1,6 @@
 #include <coapt/coupled/solid_band.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace coapt
@@ -18,10 +19,23 @@ namespace coapt
 
   template <int dim>
   void
-  SolidBand<dim>::place(const std::vector<Point<dim>> &x)
+  SolidBand<dim>::place(const std::vector<Point<dim>> &x,
+                        const std::vector<Point<dim>> &v)
   {
-    placed = x;
-    tree   = dealii::pack_rtree(x);
+    const double time = 2e-3, furthest = 1.5 * parameters.finest_cell();
+    placed = ahead = x;
+    for (unsigned int q = 0; q < v.size(); ++q)
+      {
+        const double way = time * v[q].norm();
+        if (way > 0)
+          ahead[q] += std::min(1., furthest / way) * time * v[q];
+      }
+
+    std::vector<Point<dim>> all = x;
+    for (unsigned int q = 0; q < v.size(); ++q)
+      if (ahead[q].distance(x[q]) > 0.1 * parameters.finest_cell())
+        all.push_back(ahead[q]);
+    tree = dealii::pack_rtree(all);
   }
 
 
@@ -80,8 +94,15 @@ namespace coapt
       (parameters.band - 0.5 - 0.5 * std::sqrt(double(dim))) *
       parameters.finest_cell();
     for (unsigned int q = 0; q < x.size(); ++q)
-      if (x[q].distance_square(placed[q]) > allowed * allowed)
-        return true;
+      {
+        // The nearest point on the way.
+        const dealii::Tensor<1, dim> way = ahead[q] - placed[q];
+        const double part =
+          way * (x[q] - placed[q]) / std::max(way.norm_square(), 1e-30);
+        if (x[q].distance_square(placed[q] + std::clamp(part, 0., 1.) * way) >
+            allowed * allowed)
+          return true;
+      }
     return false;
   }
 

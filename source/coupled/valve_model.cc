@@ -213,7 +213,8 @@ namespace coapt
   bool
   ValveModel::adapt(std::vector<double> &y, Log &log)
   {
-    band.place(points->positions(system->solid_positions(y.data()).data()));
+    band.place(points->positions(system->solid_positions(y.data()).data()),
+               points->positions(system->solid_velocities(y.data()).data()));
     if (parameters.mesh.follows_flow() &&
         flow_indicator.update(*grid,
                               *fluid,

@@ -25,10 +25,15 @@ namespace coapt
     SolidBand(const MeshParameters &parameters,
               const std::function<double(const dealii::Point<dim> &)> &lumen);
 
-    /** Places the band around the solid whose points are @p x (m), close
-     * enough to each other to leave no gap. */
+    /**
+     * Places the band around the solid whose points are @p x (m), close
+     * enough to each other to leave no gap, and around where they will be with
+     * the velocities @p v (m/s), at most 1.5 finest cells further: a moving
+     * solid takes longer to use up its band. Without velocities it rests.
+     */
     void
-    place(const std::vector<dealii::Point<dim>> &x);
+    place(const std::vector<dealii::Point<dim>> &x,
+          const std::vector<dealii::Point<dim>> &v = {});
 
     /** Level that a cell of this @p center and @p size (m) is to have. */
     unsigned int
@@ -50,7 +55,7 @@ namespace coapt
 
     MeshParameters parameters;
     std::function<double(const dealii::Point<dim> &)> lumen;
-    std::vector<dealii::Point<dim>> placed;
+    std::vector<dealii::Point<dim>> placed, ahead;
     dealii::RTree<dealii::Point<dim>> tree;
   };
 } // namespace coapt

@@ -120,7 +120,8 @@ namespace coapt
       return points.size();
     }
 
-    /** Positions of all points for nodal positions @p X (m). */
+    /** Positions of all points for nodal positions @p X (m), or velocities
+     * for nodal velocities. */
     std::vector<dealii::Point<dim>>
     positions(const double *X) const;
 
