@@ -2,13 +2,11 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <coapt/base/exceptions.h>
-#include <coapt/base/first_rank.h>
 #include <coapt/base/version.h>
-#include <coapt/geometry/valve_generator.h>
 #include <coapt/io/command_line.h>
 #include <coapt/io/console.h>
 #include <coapt/io/output_folder.h>
-#include <coapt/simulation.h>
+#include <coapt/task.h>
 
 #include <iostream>
 
@@ -16,49 +14,23 @@ namespace
 {
   using namespace coapt;
 
-  /** Writes the valve as it is generated, beside where results would go. */
-  void
-  preview(const SimulationParameters &parameters,
-          Log &log,
-          MPI_Comm communicator)
-  {
-    Timing timing;
-    ValveModel model(parameters.model, timing, communicator);
-    model.state_at_rest(); // distributes the points that are checked
-    model.check_resolution(log);
-    const std::string folder = parameters.run.output_folder + "/geometry";
-    on_first_rank(communicator, [&]() -> std::string {
-      try
-        {
-          write_valve_preview(folder, model.leaflet, model.chordae->chordae());
-        }
-      catch (const InputError &error)
-        {
-          return error.what();
-        }
-      return "";
-    });
-    log.line("The valve is in " + folder);
-  }
-
-
-
-  /** Reads the parameters and builds the valve, and with Action::run, runs. */
+  /** Reads the parameters and builds what they ask for, and with Action::run,
+   * runs it. */
   void
   treat_file(const CommandLine &command, MPI_Comm communicator)
   {
     Log log(communicator);
     dealii::ParameterHandler prm;
-    SimulationParameters parameters;
-    SimulationParameters::declare_parameters(prm);
-    parameters.read(command.file, prm);
+    const std::string name = task_of_file(command.file);
+    const auto task        = make_task(name);
+    declare_task(prm, name);
+    task->declare_parameters(prm);
+    const RunParameters &run = task->read(command.file, prm);
     if (command.action == CommandLine::Action::preview)
-      return preview(parameters, log, communicator);
+      return task->preview(log, communicator);
 
-    const OutputFolder folder(parameters.run.output_folder,
-                              parameters.run.overwrite,
-                              communicator);
-    Simulation simulation(parameters, log, communicator);
+    const OutputFolder folder(run.output_folder, run.overwrite, communicator);
+    task->build(log, communicator);
     if (command.action == CommandLine::Action::check)
       {
         log.line(command.file + ": ok");
@@ -68,16 +40,17 @@ namespace
     folder.write_parameters(prm, command.file);
     log.open(folder.file("coapt.log"));
     log.line(Console::banner(communicator));
-    simulation.run(folder);
+    task->run(folder);
   }
 
 
 
   void
-  write_defaults()
+  write_defaults(const std::string &task)
   {
     dealii::ParameterHandler prm;
-    SimulationParameters::declare_parameters(prm);
+    declare_task(prm, task);
+    make_task(task)->declare_parameters(prm);
     prm.print_parameters(std::cout, dealii::ParameterHandler::PRM);
   }
 
@@ -97,7 +70,7 @@ namespace
           break;
         case CommandLine::Action::write_defaults:
           if (is_first)
-            write_defaults();
+            write_defaults(command.task);
           break;
         case CommandLine::Action::version:
           if (is_first)

@@ -4,4 +4,6 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 build_targets coapt
-"$build/coapt" --write-defaults | awk -f "$root/tools/parameters.awk" >"$root/doc/parameters.md"
+for task in valve flow; do
+  "$build/coapt" --write-defaults "$task"
+done | awk -f "$root/tools/parameters.awk" >"$root/doc/parameters.md"

@@ -91,14 +91,16 @@ namespace coapt
   } // namespace
 
   void
-  read_parameter_file(ParameterHandler &prm, const std::string &file)
+  read_parameter_file(ParameterHandler &prm,
+                      const std::string &file,
+                      const UnknownEntries unknown)
   {
     std::ifstream stream(file);
     if (!stream)
       throw InputError(file + ": cannot be opened (parameter file)");
     try
       {
-        prm.parse_input(stream, file);
+        prm.parse_input(stream, file, "", unknown == UnknownEntries::skip);
       }
     catch (const ExceptionBase &exception)
       {

@@ -24,7 +24,11 @@ namespace coapt
     coefficients.bulk_modulus =
       rho * parameters.sound_speed * parameters.sound_speed;
     for (unsigned int side = 0; side < 2 * dim; ++side)
-      if (boundaries.type[side] == FluidBoundary::pressure_end)
+      if (boundaries.type[side] == FluidBoundary::velocity &&
+          !boundaries.velocity)
+        throw InputError("Fluid boundary " + std::to_string(side) +
+                         " has a given velocity, but there is none.");
+      else if (boundaries.type[side] == FluidBoundary::pressure_end)
         {
           if (!boundaries.pressure[side])
             throw InputError("Fluid boundary " + std::to_string(side) +
@@ -94,9 +98,39 @@ namespace coapt
   FluidOperator<dim>::finish(double *force_local,
                              double *acceleration_owned) const
   {
-    nodes.collect(force_local);
+    sum_forces(force_local);
     for (unsigned int i = 0; i < inverse_mass.size(); ++i)
       acceleration_owned[i] = inverse_mass[i] * force_local[i];
+  }
+
+
+
+  template <int dim>
+  void
+  FluidOperator<dim>::sum_forces(double *force_local) const
+  {
+    nodes.collect(force_local);
+  }
+
+
+
+  template <int dim>
+  void
+  FluidOperator<dim>::set_boundary_velocity(const double time,
+                                            double *velocity_owned) const
+  {
+    prescribed.set_velocity(time, velocity_owned);
+  }
+
+
+
+  template <int dim>
+  void
+  FluidOperator<dim>::set_boundary_acceleration(
+    const double time,
+    double *acceleration_owned) const
+  {
+    prescribed.set_acceleration(time, acceleration_owned);
   }
 
 
@@ -205,6 +239,15 @@ namespace coapt
   FluidOperator<dim>::is_constrained_node(const unsigned int local_node) const
   {
     return held[local_node] == (1 << dim) - 1;
+  }
+
+
+
+  template <int dim>
+  const dealii::Point<dim> &
+  FluidOperator<dim>::position(const unsigned int owned_node) const
+  {
+    return node_position[owned_node];
   }
 
 

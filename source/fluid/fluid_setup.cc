@@ -24,6 +24,7 @@ namespace coapt
     build_mass();
     build_faces(grid);
     build_families(grid);
+    build_prescribed_velocity(grid);
   }
 
 
@@ -77,7 +78,8 @@ namespace coapt
         const double position = (side % 2) ? grid.upper()[d] : grid.lower()[d];
         if (std::abs(x[d] - position) > 1e3 * tolerance)
           continue;
-        if (boundaries.type[side] == FluidBoundary::no_slip)
+        if (boundaries.type[side] == FluidBoundary::no_slip ||
+            boundaries.type[side] == FluidBoundary::velocity)
           result = all;
         else if (boundaries.type[side] == FluidBoundary::slip)
           result |= 1 << d;
@@ -117,6 +119,52 @@ namespace coapt
           common &= held[master];
         held[nodes.hanging_nodes()[row]] = common;
       }
+  }
+
+
+
+  template <int dim>
+  bool
+  FluidOperator<dim>::is_on_side(const dealii::Point<dim> &x,
+                                 const FluidBoundary kind,
+                                 const FluidGrid<dim> &grid) const
+  {
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      {
+        const unsigned int d  = side / 2;
+        const double position = (side % 2) ? grid.upper()[d] : grid.lower()[d];
+        if (boundaries.type[side] == kind &&
+            std::abs(x[d] - position) <= 1e-6 * grid.cell_size(0))
+          return true;
+      }
+    return false;
+  }
+
+
+
+  template <int dim>
+  void
+  FluidOperator<dim>::build_prescribed_velocity(const FluidGrid<dim> &grid)
+  {
+    std::vector<unsigned int> given;
+    std::vector<dealii::Point<dim>> positions;
+    for (unsigned int i = 0; i < nodes.n_owned(); ++i)
+      {
+        const dealii::Point<dim> &x = node_position[i];
+        const bool is_hanging       = mass[i] == 0;
+        if (!is_hanging && is_on_side(x, FluidBoundary::velocity, grid) &&
+            !is_on_side(x, FluidBoundary::no_slip, grid) &&
+            !(lumen && lumen(x) >= -1e-9 * grid.cell_size(0)))
+          {
+            given.push_back(i);
+            positions.push_back(x);
+          }
+      }
+    // two or three steps: short enough for sound of a few cells' length
+    prescribed.reinit(given,
+                      positions,
+                      boundaries.velocity,
+                      4 * smallest_size / fluid_parameters.sound_speed);
   }
 
 

@@ -34,6 +34,11 @@ namespace coapt
 
     const bool needs_file = result.action == Action::run ||
       result.action == Action::check || result.action == Action::preview;
+    if (result.action == Action::write_defaults && files.size() == 1)
+      {
+        result.task = files.front();
+        files.clear();
+      }
     if (files.size() != (needs_file ? 1 : 0))
       throw InputError(
         std::to_string(files.size()) + " parameter file(s) given, " +
@@ -53,8 +58,9 @@ namespace coapt
            "names, and runs nothing\n"
            "coapt --preview FILE.prm writes the valve for a look at it into "
            "geometry/ of the output folder\n"
-           "coapt --write-defaults   prints all parameters with their defaults "
-           "and documentation\n"
+           "coapt --write-defaults [valve|flow]\n"
+           "                         prints all parameters of a task with their "
+           "defaults and documentation\n"
            "coapt --version          prints the versions of program and "
            "libraries\n"
            "coapt --help             prints this\n"

@@ -6,10 +6,10 @@
 #include <coapt/fluid/fluid_operator.h>
 #include <coapt/geometry/leaflet.h>
 #include <coapt/io/fields.h>
+#include <coapt/io/fluid_piece.h>
 #include <coapt/io/vtu_file.h>
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace coapt
@@ -19,46 +19,6 @@ namespace coapt
 
   namespace
   {
-    /** The part of the fluid's cells and nodes that this rank writes. */
-    struct FluidPiece
-    {
-      std::vector<Point<3>> points;
-      std::vector<unsigned int> connectivity;
-      std::vector<unsigned int> cells; // owned cells in the lumen
-      std::vector<unsigned int> nodes; // local node behind each point
-    };
-
-    FluidPiece
-    lumen_piece(const FluidOperator<3> &fluid)
-    {
-      FluidPiece piece;
-      const unsigned int unused = -1;
-
-      std::vector<unsigned int> point_of_node(fluid.n_local_nodes(), unused);
-      for (unsigned int i = 0; i < fluid.n_owned_cells(); ++i)
-        {
-          if (!fluid.is_active_cell(i))
-            continue;
-          piece.cells.push_back(i);
-          const auto &cell = fluid.cell(i);
-          for (unsigned int corner = 0; corner < 8; ++corner)
-            {
-              unsigned int &number = point_of_node[cell.nodes[corner]];
-              if (number == unused)
-                {
-                  number            = piece.points.size();
-                  Point<3> position = cell.lower;
-                  for (unsigned int d = 0; d < 3; ++d)
-                    position[d] += ((corner >> d) & 1) * cell.size;
-                  piece.points.push_back(position);
-                  piece.nodes.push_back(cell.nodes[corner]);
-                }
-              piece.connectivity.push_back(number);
-            }
-        }
-      return piece;
-    }
-
     Point<3>
     node_position(const std::vector<double> &X, const unsigned int node)
     {
@@ -119,11 +79,8 @@ namespace coapt
                             const double *pressure,
                             const std::vector<double> &solid_volume)
   {
-    const FluidPiece piece = lumen_piece(fluid);
-    std::vector<double> velocity, blood, visible_pressure, level;
-    for (const unsigned int node : piece.nodes)
-      for (unsigned int d = 0; d < 3; ++d)
-        velocity.push_back(velocity_local[3 * node + d]);
+    const FluidPiece<3> piece(fluid);
+    std::vector<double> blood, visible_pressure;
     for (const unsigned int i : piece.cells)
       {
         const double size     = fluid.cell(i).size;
@@ -132,31 +89,16 @@ namespace coapt
         visible_pressure.push_back(
           fraction > 0.5 ? pressure[i]
                          : std::numeric_limits<double>::quiet_NaN());
-        level.push_back(std::round(std::log2(grid.cell_size(0) / size)));
       }
 
-    VtuFile file(piece.points, piece.connectivity, VtuFile::CellType::voxel);
-    file.add_point_data("velocity", 3, velocity);
+    VtuFile file = piece.file(velocity_local);
     file.add_cell_data("pressure", 1, visible_pressure);
     file.add_cell_data("blood_volume_fraction", 1, blood);
-    file.add_cell_data("level", 1, level);
-
-    int rank, n_ranks;
-    MPI_Comm_rank(communicator, &rank);
-    MPI_Comm_size(communicator, &n_ranks);
-    const std::string name = next_name(fluid_series);
-    const auto piece_name  = [&](const int i) {
-      return name + "." + std::to_string(i) + ".vtu";
-    };
-    file.write(folder + "/" + piece_name(rank));
-    if (rank == 0)
-      {
-        std::vector<std::string> pieces;
-        for (int i = 0; i < n_ranks; ++i)
-          pieces.push_back(piece_name(i));
-        file.write_index(folder + "/" + name + ".pvtu", pieces);
-      }
-    add_to_collection(fluid_series, time, name + ".pvtu");
+    file.add_cell_data("level", 1, piece.levels(grid, fluid));
+    add_to_collection(
+      fluid_series,
+      time,
+      write_distributed(file, folder, next_name(fluid_series), communicator));
   }
 
 
@@ -250,9 +192,7 @@ namespace coapt
   std::string
   FieldsWriter::next_name(const Series &series)
   {
-    char number[16];
-    std::snprintf(number, sizeof(number), "_%05zu", series.entries.size());
-    return series.name + number;
+    return numbered(series.name, series.entries.size());
   }
 
 

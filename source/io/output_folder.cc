@@ -14,9 +14,10 @@ namespace coapt
     namespace fs = std::filesystem;
 
     // what a run leaves in its folder, beside the fields
-    const std::array<const char *, 5> result_files = {
+    const std::array<const char *, 6> result_files = {
       {"coapt.log",
        "statistics.csv",
+       "study.csv",
        "summary.json",
        "parameters.prm",
        "parameters-as-read.prm"}};

@@ -20,6 +20,7 @@ namespace coapt
         {
           case VtuFile::CellType::line:
             return 2;
+          case VtuFile::CellType::pixel:
           case VtuFile::CellType::tetrahedron:
             return 4;
           default:

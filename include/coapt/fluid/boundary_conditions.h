@@ -1,6 +1,9 @@
 #ifndef coapt_fluid_boundary_conditions_h
 #define coapt_fluid_boundary_conditions_h
 
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
 #include <array>
 #include <functional>
 
@@ -14,7 +17,9 @@ namespace coapt
     /** The normal velocity is zero, the tangential traction is zero. */
     slip,
     /** Traction -(p(t) + Z u.n) n, tangential velocity zero. */
-    pressure_end
+    pressure_end,
+    /** All velocity components are those of a given function. */
+    velocity
   };
 
   /**
@@ -25,6 +30,10 @@ namespace coapt
    * With convection the pressure of an end is the *total* pressure
    * p + rho |u|^2 / 2: the skew-symmetric form has that natural boundary
    * condition, and it makes the power of an end exactly p(t) times the inflow.
+   *
+   * A node on two or more sides is held by the first of no_slip, velocity that
+   * is among them, and by all of them otherwise. So the corners of a
+   * lid-driven cavity rest, and nothing leaks through the walls beside them.
    */
   template <int dim>
   struct FluidBoundaries
@@ -37,6 +46,11 @@ namespace coapt
 
     /** Impedance Z >= 0 in Pa s/m; used on pressure ends only. */
     std::array<double, 2 * dim> impedance{};
+
+    /** Velocity (m/s) by position (m) and time (s) on all sides of the kind
+     * velocity. */
+    std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &, double)>
+      velocity;
   };
 } // namespace coapt
 

@@ -7,6 +7,7 @@
 #include <coapt/fluid/checkerboard_filter.h>
 #include <coapt/fluid/fluid_parameters.h>
 #include <coapt/fluid/node_numbering.h>
+#include <coapt/fluid/prescribed_velocity.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>
@@ -83,7 +84,8 @@ namespace coapt
      * @p lumen is the signed distance (m) to the wall of the lumen, negative
      * inside; empty if the whole box is fluid. Nodes outside or on the wall
      * are held; cells with all nodes held carry nothing. Throws InputError
-     * if a pressure end has no pressure or a negative impedance.
+     * if a pressure end has no pressure or a negative impedance, or a side
+     * with given velocity has none.
      */
     FluidOperator(const FluidParameters &parameters,
                   const FluidBoundaries<dim> &boundaries,
@@ -125,9 +127,25 @@ namespace coapt
     void
     finish(double *force_local, double *acceleration_owned) const;
 
+    /** Sums forces (N) over hanging nodes and ranks into the owned part of
+     * @p force_local. At held nodes they are the forces of the fluid on what
+     * holds it. Collective; finish() includes it. */
+    void
+    sum_forces(double *force_local) const;
+
     /** Sets constrained components and hanging nodes to zero. */
     void
     apply_constraints(double *velocity_owned) const;
+
+    /** Sets the nodes on sides with a given velocity to it. */
+    void
+    set_boundary_velocity(const double time, double *velocity_owned) const;
+
+    /** Sets the accelerations of these nodes to its time derivative. Due
+     * after finish() if there is such a side. */
+    void
+    set_boundary_acceleration(const double time,
+                              double *acceleration_owned) const;
 
     /**
      * Largest stable step (s) of the five-stage scheme of Kinnmark and Gray
@@ -161,6 +179,10 @@ namespace coapt
      * its masters. */
     bool
     is_constrained_node(const unsigned int local_node) const;
+
+    /** Position (m) of an owned node. */
+    const dealii::Point<dim> &
+    position(const unsigned int owned_node) const;
 
     /** Lumped mass of a node (kg), hanging nodes' masses on their masters. */
     double
@@ -232,6 +254,15 @@ namespace coapt
     held_components(const dealii::Point<dim> &x,
                     const FluidGrid<dim> &grid) const;
 
+    /** Whether a point lies on a side of the given kind. */
+    bool
+    is_on_side(const dealii::Point<dim> &x,
+               const FluidBoundary kind,
+               const FluidGrid<dim> &grid) const;
+
+    void
+    build_prescribed_velocity(const FluidGrid<dim> &grid);
+
     void
     build_kernel();
 
@@ -279,6 +310,7 @@ namespace coapt
     std::vector<double> inverse_mass;              // dim * owned nodes
     std::vector<dealii::Point<dim>> node_position; // owned nodes
     std::array<std::vector<Face>, 2 * dim> faces;
+    PrescribedVelocity<dim> prescribed;
     internal::CellKernel<dim> kernel;
     CheckerboardFilter<dim> filter;
     double smallest_size = 0;

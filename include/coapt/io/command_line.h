@@ -31,6 +31,9 @@ namespace coapt
     /** The parameter file, for run, check and preview. */
     std::string file;
 
+    /** The task whose defaults are wanted. */
+    std::string task = "valve";
+
     /**
      * Reads the arguments of main().
      *

@@ -20,13 +20,14 @@ namespace coapt
     enum class CellType : unsigned int
     {
       line        = 3,
+      pixel       = 8,
       tetrahedron = 10,
       voxel       = 11
     };
 
     /**
      * A grid with @p points (m) and cells, the node numbers of which follow
-     * each other in @p connectivity: 2, 4 or 8 a cell.
+     * each other in @p connectivity: 2, 4, 4 or 8 a cell.
      */
     VtuFile(const std::vector<dealii::Point<3>> &points,
             const std::vector<unsigned int> &connectivity,

@@ -1,0 +1,105 @@
+#ifndef coapt_flow_flow_run_h
+#define coapt_flow_flow_run_h
+
+#include <coapt/base/log.h>
+#include <coapt/flow/flow_errors.h>
+#include <coapt/flow/flow_fields.h>
+#include <coapt/flow/flow_model.h>
+#include <coapt/flow/flow_sampler.h>
+#include <coapt/flow/obstacle_force.h>
+#include <coapt/io/output_folder.h>
+#include <coapt/io/statistics.h>
+#include <coapt/time/explicit_integrator.h>
+#include <coapt/time/step_control.h>
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace coapt
+{
+  /** What a run of one flow cost and gave. */
+  struct FlowResult
+  {
+    unsigned int cells  = 0;
+    double cell_size    = 0; // m, outside the patch
+    unsigned long steps = 0;
+    double wall_seconds = 0;
+    FlowErrors errors;
+
+    /** Further figures by name with unit: the deviation from reference
+     * values, and mean, range and frequency of recorded signals. */
+    std::vector<std::pair<std::string, double>> figures;
+  };
+
+  /** One flow at one level, from time 0 to the end time. */
+  template <int dim>
+  class FlowRun
+  {
+  public:
+    /** Builds the flow; @p label names it in lines of progress, and
+     * @p reference is what the velocity is compared with. Throws InputError.
+     * Writes nothing. Collective. */
+    FlowRun(const FlowParameters &parameters,
+            const unsigned int level,
+            const std::string &label,
+            const std::vector<ReferenceValue<dim>> &reference,
+            Log &log,
+            MPI_Comm communicator);
+
+    /** Runs and writes statistics.csv, fields and profiles into @p folder.
+     * Throws NumericalError if the state is not finite. Collective. */
+    FlowResult
+    run(const OutputFolder &folder);
+
+  private:
+    using Row = std::vector<Statistics::Entry>;
+
+    /** What is recorded at each output. */
+    Row
+    sample() const;
+
+    /** Adds the forces on the obstacle, or their coefficients. */
+    void
+    add_forces(Row &row) const;
+
+    void
+    check_finite() const;
+
+    /** Logs a line unless the last one is less than a second old. */
+    void
+    report_progress(const double largest_velocity);
+
+    void
+    write_profiles(const OutputFolder &folder) const;
+
+    FlowResult
+    result() const;
+
+    /** Largest deviation from the reference values (m/s). */
+    double
+    deviation() const;
+
+    /** Wall time since the construction (s). */
+    double
+    wall_time() const;
+
+    FlowParameters parameters;
+    std::string label;
+    std::vector<ReferenceValue<dim>> reference;
+    Log &log;
+    FlowModel<dim> model;
+    ObstacleForce<dim> obstacle_force;
+    std::vector<dealii::Point<dim>> pressure_points;
+    ExplicitIntegrator integrator;
+    StepControl step_control;
+    std::vector<double> state;
+    std::vector<double> times;
+    std::vector<Row> rows;
+    FlowErrors errors;
+    std::chrono::steady_clock::time_point start, last_line;
+  };
+} // namespace coapt
+
+#endif

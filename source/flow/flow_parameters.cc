@@ -1,0 +1,366 @@
+#include <coapt/base/exceptions.h>
+#include <coapt/flow/flow_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
+
+#include <map>
+
+namespace coapt
+{
+  using dealii::ParameterHandler;
+  using dealii::Utilities::split_string_list;
+  using namespace dealii::Patterns;
+
+  namespace
+  {
+    const std::array<std::string, 6> side_names = {
+      {"x lower", "x upper", "y lower", "y upper", "z lower", "z upper"}};
+
+    const std::map<std::string, FluidBoundary> boundary_kinds = {
+      {"no-slip", FluidBoundary::no_slip},
+      {"slip", FluidBoundary::slip},
+      {"velocity", FluidBoundary::velocity},
+      {"pressure", FluidBoundary::pressure_end}};
+
+    std::string
+    join(const std::vector<double> &numbers)
+    {
+      std::string text;
+      for (const double number : numbers)
+        text +=
+          (text.empty() ? "" : ", ") + dealii::Utilities::to_string(number);
+      return text;
+    }
+
+    /** The numbers of a list "0.1, 0.2". */
+    std::vector<double>
+    numbers(const std::string &name, const std::string &list)
+    {
+      try
+        {
+          return dealii::Utilities::string_to_double(split_string_list(list));
+        }
+      catch (const std::exception &)
+        {
+          throw InputError(name + " contains '" + list +
+                           "', expected are numbers separated by commas");
+        }
+    }
+
+    /** Throws InputError unless a list has an entry for each dimension. */
+    template <typename Number>
+    const std::vector<Number> &
+    checked(const std::string &name,
+            const std::vector<Number> &list,
+            const unsigned int dimension)
+    {
+      if (list.size() != dimension)
+        throw InputError(name + " has " + std::to_string(list.size()) +
+                         " coordinate(s), expected are " +
+                         std::to_string(dimension) + " (Flow/Dimension)");
+      return list;
+    }
+
+    /** A line "0, 0 : 1, 0 : 11". */
+    FlowParameters::Line
+    line(const std::string &text, const unsigned int dimension)
+    {
+      const std::string name = "Flow/Profiles";
+      const auto parts       = split_string_list(text, ':');
+      if (parts.size() != 3)
+        throw InputError(name + " contains '" + text +
+                         "', expected is begin : end : number of points");
+      const double n = checked(name, numbers(name, parts[2]), 1)[0];
+      if (!(n >= 2 && n <= 1e5))
+        throw InputError(name + " contains a line of " + parts[2] +
+                         " points, allowed are 2 to 100000");
+      return {checked(name, numbers(name, parts[0]), dimension),
+              checked(name, numbers(name, parts[1]), dimension),
+              static_cast<unsigned int>(n)};
+    }
+
+    void
+    declare_box(ParameterHandler &prm)
+    {
+      const FlowParameters defaults;
+      const List coordinates(Double(), 0, 3);
+      prm.declare_entry("Dimension",
+                        "2",
+                        Integer(2, 3),
+                        "Number of space dimensions. In two, forces and "
+                        "energies are those of a depth of 1 m.");
+      prm.declare_entry("Lower corner",
+                        join(defaults.lower),
+                        coordinates,
+                        "Lower corner of the box (m).");
+      prm.declare_entry("Upper corner",
+                        join(defaults.upper),
+                        coordinates,
+                        "Upper corner of the box (m).");
+      prm.declare_entry("Coarse cells",
+                        "1, 1",
+                        List(Integer(1, 1000), 2, 3),
+                        "Cells of level 0 in each direction; they must be "
+                        "squares or cubes.");
+      prm.declare_entry("Refinements",
+                        "3, 4, 5",
+                        List(Integer(0, 14), 1, 20),
+                        "Levels of refinement of these cells. There is one "
+                        "run a level, and a table of all of them.");
+      prm.declare_entry("Patch lower corner",
+                        "",
+                        coordinates,
+                        "Lower corner (m) of a box with finer cells; empty "
+                        "without one.");
+      prm.declare_entry("Patch upper corner",
+                        "",
+                        coordinates,
+                        "Upper corner (m) of the box with finer cells.");
+      prm.declare_entry("Patch levels",
+                        "1",
+                        Integer(1, 6),
+                        "Levels by which cells in that box are finer.");
+    }
+
+    void
+    declare_boundaries(ParameterHandler &prm)
+    {
+      for (const std::string &name : side_names)
+        prm.declare_entry("Side " + name,
+                          "no-slip",
+                          Selection("no-slip|slip|velocity|pressure"),
+                          "What this side of the box does: holds the fluid, "
+                          "lets it slip, gives it the boundary velocity, or "
+                          "exerts the boundary pressure (with convection: "
+                          "total pressure) while the tangential velocity is "
+                          "zero.");
+      prm.declare_entry("Boundary velocity",
+                        "",
+                        Anything(),
+                        "Velocity (m/s) on sides of the kind velocity: "
+                        "expressions in x, y, z, t and constants, separated "
+                        "by semicolons.");
+      prm.declare_entry("Boundary pressure",
+                        "",
+                        Anything(),
+                        "Pressure (Pa) on sides of the kind pressure: an "
+                        "expression, taken at the centre of the side. Empty "
+                        "is zero.");
+      prm.declare_entry("Boundary impedance",
+                        "0",
+                        Double(0),
+                        "Impedance (Pa s/m) of sides of the kind pressure: "
+                        "pressure that is added for each m/s of outflow, "
+                        "which absorbs sound.");
+    }
+
+    void
+    declare_fields(ParameterHandler &prm)
+    {
+      prm.declare_entry("Constants",
+                        "",
+                        Anything(),
+                        "Constants for the expressions: a list name = "
+                        "expression, separated by commas. There are also pi, "
+                        "and rho, mu, nu and c of the fluid.");
+      prm.declare_entry("Initial velocity",
+                        "",
+                        Anything(),
+                        "Velocity (m/s) at time 0: expressions separated by "
+                        "semicolons; empty for rest.");
+      prm.declare_entry("Initial pressure",
+                        "",
+                        Anything(),
+                        "Pressure (Pa) at time 0: an expression; empty for "
+                        "zero.");
+      prm.declare_entry("Exact velocity",
+                        "",
+                        Anything(),
+                        "Velocity (m/s) from which the error is measured; "
+                        "empty for no error.");
+      prm.declare_entry("Exact pressure",
+                        "",
+                        Anything(),
+                        "Pressure (Pa) from which the error is measured, "
+                        "without its mean if no side is of the kind pressure; "
+                        "empty for no error.");
+    }
+
+    void
+    declare_measurements(ParameterHandler &prm)
+    {
+      prm.declare_entry("Obstacle centre",
+                        "",
+                        List(Double(), 0, 2),
+                        "Centre (m, x and y) of a disc, in 3D of a cylinder "
+                        "along z, that holds the fluid; empty without one.");
+      prm.declare_entry("Obstacle radius",
+                        "0",
+                        Double(0),
+                        "Radius (m) of the obstacle.");
+      prm.declare_entry("Reference speed",
+                        "0",
+                        Double(0),
+                        "Speed U (m/s) of coefficients: forces on the obstacle "
+                        "are divided by rho U^2/2 times its diameter (and, in "
+                        "3D, its length). 0 gives forces in N.");
+      prm.declare_entry("Pressure points",
+                        "",
+                        Anything(),
+                        "Points (m), separated by semicolons, at which the "
+                        "pressure is recorded; of two or more also the "
+                        "difference of the first two.");
+      prm.declare_entry("Profiles",
+                        "",
+                        Anything(),
+                        "Lines along which velocity and pressure are written "
+                        "at the end time, separated by semicolons; each is "
+                        "begin : end : number of points, for example "
+                        "0.5, 0 : 0.5, 1 : 101 (m).");
+      prm.declare_entry("Reference values",
+                        "",
+                        FileName(FileName::input),
+                        "Table of velocities, relative to the parameter file: "
+                        "a line of coordinates (m), number of the component "
+                        "(from 0) and its value (m/s) each. The largest "
+                        "deviation from it at the end time is reported.");
+      prm.declare_entry("Errors",
+                        "end",
+                        Selection("end|largest"),
+                        "Whether errors are measured at the end time, or at "
+                        "each output (Output/Interval) and the largest ones "
+                        "reported.");
+      prm.declare_entry("Figures from",
+                        "0",
+                        Double(0),
+                        "Time (s) from which mean, range and frequency of "
+                        "forces and pressures are taken.");
+    }
+  } // namespace
+
+
+
+  void
+  FlowParameters::declare_parameters(ParameterHandler &prm)
+  {
+    RunParameters::declare_parameters(prm);
+    prm.enter_subsection("Time");
+    prm.declare_entry("Step safety",
+                      "0.8",
+                      Double(0.01, 1.5),
+                      "Step length over the stability limit of the fluid (-).");
+    prm.leave_subsection();
+    FluidParameters::declare_parameters(prm);
+    prm.enter_subsection("Flow");
+    declare_box(prm);
+    declare_boundaries(prm);
+    declare_fields(prm);
+    declare_measurements(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Study");
+    prm.declare_entry("Parameter",
+                      "",
+                      Anything(),
+                      "Parameter that is varied at one level of refinement, "
+                      "with its section, such as Fluid/Sound speed; empty to "
+                      "vary the level.");
+    prm.declare_entry("Values",
+                      "",
+                      List(Double(), 0, 100),
+                      "Values of the parameter, a run for each of them.");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  FlowParameters::parse_parameters(ParameterHandler &prm)
+  {
+    run.parse_parameters(prm);
+    fluid.parse_parameters(prm);
+    prm.enter_subsection("Time");
+    step_safety = prm.get_double("Step safety");
+    prm.leave_subsection();
+
+    prm.enter_subsection("Flow");
+    dimension           = prm.get_integer("Dimension");
+    const auto point_of = [&](const std::string &name) {
+      return numbers("Flow/" + name, prm.get(name));
+    };
+    const auto integers = [&](const std::string &name) {
+      std::vector<unsigned int> result;
+      for (const double number : point_of(name))
+        result.push_back(static_cast<unsigned int>(number));
+      return result;
+    };
+    lower = checked("Flow/Lower corner", point_of("Lower corner"), dimension);
+    upper = checked("Flow/Upper corner", point_of("Upper corner"), dimension);
+    coarse_cells =
+      checked("Flow/Coarse cells", integers("Coarse cells"), dimension);
+    refinements  = integers("Refinements");
+    patch_lower  = point_of("Patch lower corner");
+    patch_upper  = point_of("Patch upper corner");
+    patch_levels = prm.get_integer("Patch levels");
+    if (!patch_lower.empty() || !patch_upper.empty())
+      {
+        checked("Flow/Patch lower corner", patch_lower, dimension);
+        checked("Flow/Patch upper corner", patch_upper, dimension);
+      }
+    for (unsigned int i = 0; i < 6; ++i)
+      sides[i] = boundary_kinds.at(prm.get("Side " + side_names[i]));
+    impedance         = prm.get_double("Boundary impedance");
+    constants         = prm.get("Constants");
+    initial_velocity  = prm.get("Initial velocity");
+    initial_pressure  = prm.get("Initial pressure");
+    boundary_velocity = prm.get("Boundary velocity");
+    boundary_pressure = prm.get("Boundary pressure");
+    exact_velocity    = prm.get("Exact velocity");
+    exact_pressure    = prm.get("Exact pressure");
+    obstacle_center   = point_of("Obstacle centre");
+    obstacle_radius   = prm.get_double("Obstacle radius");
+    if (obstacle_radius > 0 && obstacle_center.size() != 2)
+      throw InputError("Flow/Obstacle centre has " +
+                       std::to_string(obstacle_center.size()) +
+                       " coordinate(s), expected are 2 (x and y)");
+    reference_speed = prm.get_double("Reference speed");
+    pressure_points.clear();
+    for (const std::string &text :
+         split_string_list(prm.get("Pressure points"), ';'))
+      pressure_points.push_back(checked("Flow/Pressure points",
+                                        numbers("Flow/Pressure points", text),
+                                        dimension));
+    profiles.clear();
+    for (const std::string &text : split_string_list(prm.get("Profiles"), ';'))
+      profiles.push_back(line(text, dimension));
+    reference_values = prm.get("Reference values");
+    largest_errors   = prm.get("Errors") == "largest";
+    figures_from     = prm.get_double("Figures from");
+    prm.leave_subsection();
+
+    prm.enter_subsection("Study");
+    varied_parameter = prm.get("Parameter");
+    varied_values    = numbers("Study/Values", prm.get("Values"));
+    prm.leave_subsection();
+    if (varied_parameter.empty() != varied_values.empty())
+      throw InputError("Study/Parameter and Study/Values belong together, "
+                       "found is only one of them");
+    if (!varied_parameter.empty() && refinements.size() != 1)
+      throw InputError("Study/Parameter is varied at one level, but "
+                       "Flow/Refinements has " +
+                       std::to_string(refinements.size()));
+  }
+
+
+
+  NamedConstants
+  FlowParameters::named_constants() const
+  {
+    return read_constants("Flow/Constants",
+                          constants,
+                          {{"rho", fluid.density},
+                           {"mu", fluid.viscosity},
+                           {"nu", fluid.viscosity / fluid.density},
+                           {"c", fluid.sound_speed}});
+  }
+} // namespace coapt

@@ -1,0 +1,305 @@
+#include <coapt/base/exceptions.h>
+#include <coapt/base/first_rank.h>
+#include <coapt/flow/flow_run.h>
+#include <coapt/flow/signal.h>
+#include <coapt/io/console.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+namespace coapt
+{
+  using dealii::Point;
+
+  namespace
+  {
+    template <int dim>
+    Point<dim>
+    as_point(const std::vector<double> &coordinates)
+    {
+      Point<dim> point;
+      for (unsigned int d = 0; d < dim; ++d)
+        point[d] = coordinates[d];
+      return point;
+    }
+
+    StepParameters
+    step_parameters(const FlowParameters &parameters)
+    {
+      StepParameters result;
+      result.safety   = parameters.step_safety;
+      result.max_step = std::numeric_limits<double>::max();
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FlowRun<dim>::FlowRun(const FlowParameters &parameters,
+                        const unsigned int level,
+                        const std::string &label,
+                        const std::vector<ReferenceValue<dim>> &reference,
+                        Log &log,
+                        MPI_Comm communicator)
+    : parameters(parameters)
+    , label(label)
+    , reference(reference)
+    , log(log)
+    , model(parameters, level, communicator)
+    , obstacle_force(model)
+    , integrator(
+        communicator,
+        [this](const double t, const double *y, double *y_dot) {
+          model.rhs(t, y, y_dot);
+        },
+        [](const double, double *) {})
+    , step_control(step_parameters(parameters))
+    , state(model.initial_state())
+    , start(std::chrono::steady_clock::now())
+  {
+    for (const auto &coordinates : parameters.pressure_points)
+      pressure_points.push_back(as_point<dim>(coordinates));
+    step_control.update({{"fluid", model.fluid().max_stable_step()}});
+    // points outside the box are found out here
+    sample();
+    deviation();
+  }
+
+
+
+  template <int dim>
+  FlowResult
+  FlowRun<dim>::run(const OutputFolder &folder)
+  {
+    Statistics statistics(folder.file("statistics.csv"), model.communicator);
+    FlowFields<dim> fields(model, folder.file("fields"));
+    const RunParameters &to = parameters.run;
+    double next_fields      = 0;
+    const auto record       = [&]() {
+      const double t = integrator.time();
+      times.push_back(t);
+      rows.push_back(sample());
+      Row row = rows.back();
+      row.insert(row.begin(), {"time_s", t});
+      statistics.write_row(row);
+      const bool is_last = t >= to.end_time * (1 - 1e-9);
+      if (is_last || parameters.largest_errors)
+        errors.take_larger(flow_errors(model, t, state.data()));
+      if (to.fields_interval > 0 && (t >= next_fields * (1 - 1e-9) || is_last))
+        {
+          fields.write(t, state.data());
+          next_fields += to.fields_interval;
+        }
+    };
+
+    integrator.start(0., state);
+    record();
+    while (integrator.time() < to.end_time * (1 - 1e-9))
+      {
+        const double until =
+          std::min(to.end_time, integrator.time() + to.output_interval);
+        while (integrator.time() < until * (1 - 1e-12))
+          integrator.step(step_control.step(until - integrator.time()));
+        check_finite();
+        record();
+        report_progress(model.fluid().largest_velocity(state.data()).speed);
+      }
+    write_profiles(folder);
+    return result();
+  }
+
+
+
+  template <int dim>
+  typename FlowRun<dim>::Row
+  FlowRun<dim>::sample() const
+  {
+    const FluidOperator<dim> &fluid = model.fluid();
+    const double *p                 = model.pressure(state.data());
+    Row row = {{"kinetic_energy_J", fluid.kinetic_energy(state.data())},
+               {"acoustic_energy_J", fluid.acoustic_energy(p)},
+               {"largest_velocity_m_per_s",
+                fluid.largest_velocity(state.data()).speed}};
+    if (model.obstacle())
+      add_forces(row);
+    if (!pressure_points.empty())
+      {
+        const auto samples = sample_flow(model, state.data(), pressure_points);
+        for (unsigned int i = 0; i < pressure_points.size(); ++i)
+          row.emplace_back("pressure_" + std::to_string(i + 1) + "_Pa",
+                           samples.pressure[i]);
+        if (pressure_points.size() > 1)
+          row.emplace_back("pressure_difference_Pa",
+                           samples.pressure[0] - samples.pressure[1]);
+      }
+    return row;
+  }
+
+
+
+  template <int dim>
+  void
+  FlowRun<dim>::add_forces(Row &row) const
+  {
+    const auto force = obstacle_force.force(integrator.time(), state.data());
+    const double U   = parameters.reference_speed;
+    if (U == 0)
+      {
+        row.emplace_back("drag_N", force[0]);
+        row.emplace_back("lift_N", force[1]);
+        return;
+      }
+    const double width =
+      dim == 2 ? 1. : parameters.upper[2] - parameters.lower[2];
+    const double scale = 0.5 * parameters.fluid.density * U * U * 2 *
+      parameters.obstacle_radius * width;
+    row.emplace_back("drag_coefficient", force[0] / scale);
+    row.emplace_back("lift_coefficient", force[1] / scale);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowRun<dim>::check_finite() const
+  {
+    double sum = 0;
+    for (const double value : state)
+      sum += value;
+    if (dealii::Utilities::MPI::min(std::isfinite(sum) ? 1 : 0,
+                                    model.communicator) == 1)
+      return;
+    throw NumericalError(label + ": the state is not finite at t = " +
+                         std::to_string(integrator.time()) + " s");
+  }
+
+
+
+  template <int dim>
+  void
+  FlowRun<dim>::report_progress(const double largest_velocity)
+  {
+    const auto now   = std::chrono::steady_clock::now();
+    const double end = parameters.run.end_time, t = integrator.time();
+    if (std::chrono::duration<double>(now - last_line).count() < 1)
+      return;
+    last_line = now;
+    char text[256];
+    std::snprintf(text,
+                  sizeof(text),
+                  "%s: %8.4g / %.4g s  dt %9.3g s  largest velocity %.4g m/s  "
+                  "%u cells  %.0f steps/s  ETA %s",
+                  label.c_str(),
+                  t,
+                  end,
+                  step_control.step(1e9),
+                  largest_velocity,
+                  model.fluid().n_owned_cells(),
+                  integrator.n_steps() / wall_time(),
+                  Console::duration(wall_time() * (end - t) / t).c_str());
+    log.line(text);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowRun<dim>::write_profiles(const OutputFolder &folder) const
+  {
+    for (unsigned int k = 0; k < parameters.profiles.size(); ++k)
+      {
+        const FlowParameters::Line &line = parameters.profiles[k];
+        std::vector<Point<dim>> points;
+        for (unsigned int i = 0; i < line.n_points; ++i)
+          {
+            const double s = i / (line.n_points - 1.);
+            points.emplace_back((1 - s) * as_point<dim>(line.begin) +
+                                s * as_point<dim>(line.end));
+          }
+        const auto samples = sample_flow(model, state.data(), points);
+        const std::string file =
+          folder.file("profile_" + std::to_string(k + 1) + ".csv");
+        Statistics table(file, model.communicator);
+        for (unsigned int i = 0; i < points.size(); ++i)
+          {
+            std::vector<Statistics::Entry> row;
+            for (unsigned int d = 0; d < dim; ++d)
+              row.emplace_back(std::string(1, "xyz"[d]) + "_m", points[i][d]);
+            for (unsigned int d = 0; d < dim; ++d)
+              row.emplace_back(std::string(1, "uvw"[d]) + "_m_per_s",
+                               samples.velocity[i][d]);
+            row.emplace_back("pressure_Pa", samples.pressure[i]);
+            table.write_row(row);
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  FlowRun<dim>::deviation() const
+  {
+    std::vector<Point<dim>> points;
+    for (const ReferenceValue<dim> &value : reference)
+      points.push_back(value.point);
+    const auto samples = sample_flow(model, state.data(), points);
+    double largest     = 0;
+    for (unsigned int i = 0; i < reference.size(); ++i)
+      largest = std::max(largest,
+                         std::abs(samples.velocity[i][reference[i].component] -
+                                  reference[i].value));
+    return largest;
+  }
+
+
+
+  template <int dim>
+  FlowResult
+  FlowRun<dim>::result() const
+  {
+    FlowResult result;
+    result.cells        = model.n_cells();
+    result.cell_size    = model.cell_size();
+    result.steps        = integrator.n_steps();
+    result.wall_seconds = wall_time();
+    result.errors       = errors;
+    if (!reference.empty())
+      result.figures.emplace_back("deviation_m_per_s", deviation());
+    // the energies are in statistics.csv; figures are made of the rest
+    const unsigned int n_energies = 3;
+    for (unsigned int k = n_energies; k < rows[0].size(); ++k)
+      {
+        std::vector<double> values;
+        for (const Row &row : rows)
+          values.push_back(row[k].second);
+        const SignalFigures figures =
+          signal_figures(times, values, parameters.figures_from);
+        const std::string name = rows[0][k].first;
+        result.figures.emplace_back(name + "_mean", figures.mean);
+        result.figures.emplace_back(name + "_min", figures.least);
+        result.figures.emplace_back(name + "_max", figures.largest);
+        result.figures.emplace_back(name + "_frequency_Hz", figures.frequency);
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  FlowRun<dim>::wall_time() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                         start)
+      .count();
+  }
+
+  template class FlowRun<2>;
+  template class FlowRun<3>;
+} // namespace coapt

@@ -1,0 +1,50 @@
+#include <coapt/base/exceptions.h>
+#include <coapt/base/parameter_file.h>
+#include <coapt/flow_task.h>
+#include <coapt/task.h>
+#include <coapt/valve_task.h>
+
+namespace coapt
+{
+  void
+  Task::preview(Log &, MPI_Comm)
+  {
+    throw InputError("this task has no geometry to preview");
+  }
+
+
+
+  std::unique_ptr<Task>
+  make_task(const std::string &name)
+  {
+    if (name == "valve")
+      return std::make_unique<ValveTask>();
+    if (name == "flow")
+      return std::make_unique<FlowTask>();
+    throw InputError("unknown task '" + name + "'; there are valve and flow");
+  }
+
+
+
+  void
+  declare_task(dealii::ParameterHandler &prm, const std::string &name)
+  {
+    prm.declare_entry("Task",
+                      name,
+                      dealii::Patterns::Selection("valve|flow"),
+                      "What to compute: the closure of a valve, or the flow of "
+                      "a fluid alone in a box. It decides which parameters "
+                      "there are.");
+  }
+
+
+
+  std::string
+  task_of_file(const std::string &file)
+  {
+    dealii::ParameterHandler prm;
+    declare_task(prm, "valve");
+    read_parameter_file(prm, file, UnknownEntries::skip);
+    return prm.get("Task");
+  }
+} // namespace coapt

@@ -1,0 +1,133 @@
+// The verification files of the program on coarse meshes: observed orders,
+// exact profiles, and the frequency of a wave; and the order in time of a
+// boundary with given velocity.
+#include <coapt/base/parameter_file.h>
+#include <coapt/base/version.h>
+#include <coapt/flow/refinement_study.h>
+
+#include <sstream>
+
+#include "tests.h"
+
+using namespace coapt;
+
+namespace
+{
+  /** Runs a verification file at the given levels and returns its results. */
+  template <int dim>
+  RefinementStudy<dim>
+  study(const std::string &name, const std::string &levels)
+  {
+    static std::ostringstream terminal;
+    static Log log(MPI_COMM_WORLD, terminal);
+    dealii::ParameterHandler prm;
+    prm.declare_entry("Task", "flow");
+    FlowParameters::declare_parameters(prm);
+    const std::string folder = parameter_files_folder() + "/verification";
+    read_parameter_file(prm, folder + "/" + name + ".prm");
+    prm.enter_subsection("Flow");
+    prm.set("Refinements", levels);
+    prm.leave_subsection();
+    prm.enter_subsection("Output");
+    prm.set("Fields interval", "0");
+    prm.leave_subsection();
+    FlowParameters parameters;
+    parameters.parse_parameters(prm);
+    RefinementStudy<dim> result(parameters, prm, folder, log, MPI_COMM_WORLD);
+    const OutputFolder output(name, true, MPI_COMM_WORLD);
+    output.create();
+    result.run(output);
+    return result;
+  }
+
+  template <int dim>
+  void
+  check_order(const std::string &name, const std::string &levels)
+  {
+    const double order = study<dim>(name, levels).last_velocity_order();
+    check(name + ", order of the velocity", order >= 1.9 && order < 2.4, order);
+  }
+
+  void
+  check_wave(const std::string &name)
+  {
+    const auto waves = study<2>(name, "3, 4");
+    check(name + ", order of the velocity",
+          waves.last_velocity_order() > 1.9,
+          waves.last_velocity_order());
+    double error[2];
+    for (unsigned int i = 0; i < 2; ++i)
+      for (const auto &figure : waves.results()[i].figures)
+        if (figure.first == "pressure_1_Pa_frequency_Hz")
+          error[i] = std::abs(figure.second / (10 / std::sqrt(2.)) - 1);
+    check(name + ", frequency", error[1] < 0.01, error[1]);
+    const double order = std::log2(error[0] / error[1]);
+    check(name + ", order of the frequency", order > 1.8, order);
+  }
+
+  void
+  check_couette()
+  {
+    for (const FlowResult &result : study<2>("couette", "2, 3").results())
+      check("couette, exact",
+            result.errors.velocity_max < 1e-12,
+            result.errors.velocity_max);
+  }
+
+  /** The state at time 1 of a box of fluid whose lid starts to move, after @p n
+   * steps. The lid's speed is a cubic in time, for which the sampling of the
+   * boundary velocity is exact, so that only the steps matter. */
+  std::vector<double>
+  starting_lid(const unsigned int n)
+  {
+    FlowParameters parameters;
+    parameters.fluid.density              = 1;
+    parameters.fluid.viscosity            = 0.1;
+    parameters.fluid.sound_speed          = 10;
+    parameters.fluid.artificial_viscosity = 0;
+    parameters.sides[3]                   = FluidBoundary::velocity;
+    parameters.boundary_velocity          = "t^2*(3-2*t)*x*(1-x); 0";
+    const FlowModel<2> model(parameters, 3, MPI_COMM_WORLD);
+    ExplicitIntegrator integrator(
+      MPI_COMM_WORLD,
+      [&](const double t, const double *y, double *y_dot) {
+        model.rhs(t, y, y_dot);
+      },
+      [](double, double *) {});
+    std::vector<double> y = model.initial_state();
+    integrator.start(0., y);
+    for (unsigned int i = 0; i < n; ++i)
+      integrator.step(1. / n);
+    return y;
+  }
+
+  void
+  check_order_in_time()
+  {
+    const std::vector<double> best = starting_lid(2560);
+    double error[2];
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        const std::vector<double> y = starting_lid(i == 0 ? 160 : 320);
+        double square               = 0;
+        for (unsigned int k = 0; k < y.size(); ++k)
+          square += (y[k] - best[k]) * (y[k] - best[k]);
+        error[i] = dealii::Utilities::MPI::sum(square, MPI_COMM_WORLD);
+      }
+    const double order = std::log2(error[0] / error[1]) / 2;
+    check("starting lid, order in time", order > 2.8, order);
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
+  check_couette();
+  check_order_in_time();
+  check_order<2>("taylor_green_2d", "3, 4, 5");
+  check_order<2>("taylor_green_2d_patch", "3, 4, 5");
+  check_order<3>("ethier_steinman", "2, 3");
+  check_wave("standing_wave_2d");
+  check_wave("standing_wave_2d_patch");
+}
