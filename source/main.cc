@@ -49,8 +49,9 @@ namespace
   write_defaults(const std::string &task)
   {
     dealii::ParameterHandler prm;
+    const auto chosen = make_task(task); // refuses unknown names
     declare_task(prm, task);
-    make_task(task)->declare_parameters(prm);
+    chosen->declare_parameters(prm);
     prm.print_parameters(std::cout, dealii::ParameterHandler::PRM);
   }
 
@@ -117,7 +118,9 @@ main(int argc, char **argv)
   catch (const std::exception &error)
     {
       // Not an error that all ranks are known to share: end the others, too.
-      std::cerr << "coapt: " << error.what() << std::endl;
+      // In one piece, for several ranks may speak at once.
+      const std::string message = std::string("coapt: ") + error.what() + '\n';
+      std::cerr << message << std::flush;
       MPI_Abort(communicator, ExitCode::numerical_failure);
     }
   return ExitCode::success;

@@ -132,8 +132,8 @@ namespace coapt
       }
     catch (const NumericalError &)
       {
-        // What failed is not yet the integrator's result; stop() looks at it.
-        std::copy_n(y, state.size(), state.begin());
+        // The integrator goes back to the state before.
+        failed_state.assign(y, y + state.size());
         throw;
       }
   }
@@ -147,7 +147,7 @@ namespace coapt
       {
         check_finite(recorder);
         update_step_limits();
-        if (model.band_is_used_up(state))
+        if (model.band_is_used_up(state) || flow_adaptation_is_due())
           adapt();
       }
     if (integrator.n_steps() % parameters.step.sampling == 0)
@@ -164,12 +164,23 @@ namespace coapt
 
 
 
+  bool
+  Simulation::flow_adaptation_is_due() const
+  {
+    const MeshParameters &mesh = parameters.model.mesh;
+    return mesh.follows_flow() &&
+      integrator.time() > last_adaptation + mesh.flow_interval;
+  }
+
+
+
   void
   Simulation::adapt()
   {
     const auto scope    = timing.scope(sections.adaptation);
     const double before = monitor.stored_energy(state.data());
-    if (model.follow_leaflet(state))
+    last_adaptation     = integrator.time();
+    if (model.adapt(state, log))
       {
         monitor.note_adaptation(before, state.data());
         integrator.start(integrator.time(), state);
@@ -231,8 +242,8 @@ namespace coapt
       recorder.write_fields(last_finite_time, last_finite_state.data());
     throw NumericalError(
       reason + " at t = " + std::to_string(integrator.time()) + " s (" +
-      model.name_not_finite(state) + "); the step was limited by the " +
-      step_control.limiter());
+      model.name_not_finite(failed_state.empty() ? state : failed_state) +
+      "); the step was limited by the " + step_control.limiter());
   }
 
 

@@ -57,6 +57,9 @@ namespace coapt
     void
     prepare_step(Recorder &recorder);
 
+    bool
+    flow_adaptation_is_due() const;
+
     void
     adapt();
 
@@ -89,9 +92,10 @@ namespace coapt
     StepControl step_control;
     Sections sections;
     std::vector<double> state;
-    std::vector<double> last_finite_state;
+    std::vector<double> last_finite_state, failed_state;
     double last_finite_time = 0;
     double last_step        = 0;
+    double last_adaptation  = 0;
   };
 } // namespace coapt
 

@@ -1,58 +1,11 @@
-#include <coapt/base/exceptions.h>
-#include <coapt/base/units.h>
 #include <coapt/coupled/solid_band.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace coapt
 {
   using dealii::Point;
-
-  void
-  MeshParameters::declare_parameters(dealii::ParameterHandler &prm)
-  {
-    using dealii::Patterns::Double;
-    using dealii::Patterns::Integer;
-    prm.enter_subsection("Mesh");
-    prm.declare_entry("Coarse cell",
-                      "5",
-                      Double(1e-3, 1e3),
-                      "Edge of a cell of the coarse mesh (mm).");
-    prm.declare_entry("Lumen level",
-                      "2",
-                      Integer(0, 10),
-                      "Refinements of the lumen away from the leaflet (-).");
-    prm.declare_entry("Leaflet level",
-                      "3",
-                      Integer(0, 12),
-                      "Refinements around the leaflet (-); at least the "
-                      "lumen's.");
-    prm.declare_entry("Band",
-                      "2.5",
-                      Double(2., 100.),
-                      "Half width of the refined band around the leaflet, in "
-                      "cells of the finest level (-).");
-    prm.leave_subsection();
-  }
-
-
-
-  void
-  MeshParameters::parse_parameters(dealii::ParameterHandler &prm)
-  {
-    prm.enter_subsection("Mesh");
-    coarse_cell   = prm.get_double("Coarse cell") * units::millimetre;
-    lumen_level   = prm.get_integer("Lumen level");
-    leaflet_level = prm.get_integer("Leaflet level");
-    band          = prm.get_double("Band");
-    prm.leave_subsection();
-    if (leaflet_level < lumen_level)
-      throw InputError(
-        "Mesh: Leaflet level is " + std::to_string(leaflet_level) +
-        ", but must be at least Lumen level, " + std::to_string(lumen_level));
-  }
-
-
 
   template <int dim>
   SolidBand<dim>::SolidBand(
@@ -66,10 +19,45 @@ namespace coapt
 
   template <int dim>
   void
-  SolidBand<dim>::place(const std::vector<Point<dim>> &x)
+  SolidBand<dim>::place(const std::vector<Point<dim>> &x,
+                        const std::vector<Point<dim>> &v)
   {
-    placed = x;
-    tree   = dealii::pack_rtree(x);
+    const double time = 2e-3, furthest = 1.5 * parameters.finest_cell();
+    placed = ahead = x;
+    for (unsigned int q = 0; q < v.size(); ++q)
+      {
+        const double way = time * v[q].norm();
+        if (way > 0)
+          ahead[q] += std::min(1., furthest / way) * time * v[q];
+      }
+
+    std::vector<Point<dim>> all = x;
+    for (unsigned int q = 0; q < v.size(); ++q)
+      if (ahead[q].distance(x[q]) > 0.1 * parameters.finest_cell())
+        all.push_back(ahead[q]);
+    tree = dealii::pack_rtree(all);
+  }
+
+
+
+  template <int dim>
+  double
+  SolidBand<dim>::distance(const Point<dim> &x) const
+  {
+    std::vector<Point<dim>> nearest;
+    tree.query(boost::geometry::index::nearest(x, 1),
+               std::back_inserter(nearest));
+    return x.distance(nearest[0]);
+  }
+
+
+
+  template <int dim>
+  bool
+  SolidBand<dim>::is_near(const Point<dim> &x) const
+  {
+    return !placed.empty() &&
+      distance(x) < (parameters.band + 1) * parameters.finest_cell();
   }
 
 
@@ -82,13 +70,10 @@ namespace coapt
     const double half_diagonal = 0.5 * std::sqrt(double(dim)) * size;
     if (!placed.empty())
       {
-        std::vector<Point<dim>> nearest;
-        tree.query(boost::geometry::index::nearest(center, 1),
-                   std::back_inserter(nearest));
         // A larger cell is refined if one of its parts may lie in the band.
         const double margin =
           half_diagonal * (1 - parameters.finest_cell() / size);
-        if (center.distance(nearest[0]) <
+        if (distance(center) <
             parameters.band * parameters.finest_cell() + margin)
           return parameters.leaflet_level;
       }
@@ -109,8 +94,15 @@ namespace coapt
       (parameters.band - 0.5 - 0.5 * std::sqrt(double(dim))) *
       parameters.finest_cell();
     for (unsigned int q = 0; q < x.size(); ++q)
-      if (x[q].distance_square(placed[q]) > allowed * allowed)
-        return true;
+      {
+        // The nearest point on the way.
+        const dealii::Tensor<1, dim> way = ahead[q] - placed[q];
+        const double part =
+          way * (x[q] - placed[q]) / std::max(way.norm_square(), 1e-30);
+        if (x[q].distance_square(placed[q] + std::clamp(part, 0., 1.) * way) >
+            allowed * allowed)
+          return true;
+      }
     return false;
   }
 

@@ -28,6 +28,7 @@ namespace coapt
     , leaflet(generate_leaflet(parameters.valve))
     , surface(triangulate(leaflet.quads))
     , band(parameters.mesh, distance_to_wall())
+    , flow_indicator(parameters.mesh)
   {
     build_solid();
     build_fluid();
@@ -132,7 +133,7 @@ namespace coapt
         X[3 * n + d] = leaflet.mesh.points[n][d];
     band.place(points->positions(X.data()));
     grid->refine_to([this](const Point<3> &center, const double size) {
-      return band.wanted_level(center, size);
+      return wanted_level(center, size);
     });
     fluid->reinit(*grid);
 
@@ -198,14 +199,37 @@ namespace coapt
 
 
 
-  bool
-  ValveModel::follow_leaflet(std::vector<double> &y)
+  unsigned int
+  ValveModel::wanted_level(const Point<3> &center, const double size) const
   {
-    band.place(points->positions(system->solid_positions(y.data()).data()));
+    const unsigned int level = band.wanted_level(center, size);
+    return level == parameters.mesh.lumen_level
+      ? flow_indicator.wanted_level(center, size)
+      : level;
+  }
+
+
+
+  bool
+  ValveModel::adapt(std::vector<double> &y, Log &log)
+  {
+    band.place(points->positions(system->solid_positions(y.data()).data()),
+               points->positions(system->solid_velocities(y.data()).data()));
+    if (parameters.mesh.follows_flow() &&
+        flow_indicator.update(*grid,
+                              *fluid,
+                              system->local_velocity(y.data()).data(),
+                              [this](const Point<3> &x) {
+                                return band.is_near(x);
+                              }))
+      log.warn("many cells",
+               "Mesh: Largest number of cells is exceeded; the velocity jump "
+               "is raised to " +
+                 std::to_string(flow_indicator.tolerated_jump()) + " m/s");
     return system->adapt(
       *grid,
       [this](const Point<3> &center, const double size) {
-        return band.wanted_level(center, size);
+        return wanted_level(center, size);
       },
       y);
   }
@@ -353,7 +377,7 @@ namespace coapt
   ValveModel::name_not_finite(const std::vector<double> &y) const
   {
     const auto bad = std::find_if(y.begin(), y.end(), [](const double value) {
-      return !std::isfinite(value);
+      return !(std::abs(value) < 1e100); // or its square overflows
     });
     const std::string name =
       bad == y.end() ? "" : name_of_entry(bad - y.begin());

@@ -1,3 +1,5 @@
+#include <deal.II/base/mpi.h>
+
 #include <coapt/base/exceptions.h>
 #include <coapt/geometry/triangle.h>
 #include <coapt/geometry/widest_path.h>
@@ -69,25 +71,17 @@ namespace coapt
       return result;
     }
 
-    /** A regular grid of points and the distances of each from the sheet. */
-    class DistanceGrid
+    /** A regular grid of points, numbered from x to z, z first. */
+    struct RegularGrid
     {
-    public:
-      DistanceGrid(const std::vector<Triangle> &sheet,
-                   const Point<3> &lower,
-                   const Point<3> &upper,
-                   const double spacing,
-                   const double band)
-        : sheet(sheet), lower(lower), spacing(spacing), band(band)
+      RegularGrid(const Point<3> &lower,
+                  const Point<3> &upper,
+                  const double spacing)
+        : lower(lower), spacing(spacing)
       {
         for (unsigned int d = 0; d < 3; ++d)
           size[d] = 1 +
             static_cast<int>(std::ceil((upper[d] - lower[d]) / spacing - 1e-9));
-        nearest.resize(std::size_t(size[0]) * size[1] * size[2], band);
-        slot.resize(nearest.size(), none);
-        opposite = nearest;
-        find_nearest();
-        find_opposite();
       }
 
       Point<3>
@@ -101,29 +95,61 @@ namespace coapt
                         double(n % size[2])});
       }
 
-      /**
-       * Largest distance from the sheet near a grid point. Halfway between
-       * two sheets it is the mean of the distances from both; one moves there
-       * at most half a grid spacing from the point.
-       */
-      double
-      clearance(const std::size_t n) const
+      std::size_t
+      plane_size() const
       {
-        return std::min<double>(nearest[n] + spacing / 2,
-                                (nearest[n] + opposite[n]) / 2);
+        return std::size_t(size[1]) * size[2];
       }
 
-      bool
-      far(const std::size_t n) const
-      {
-        return slot[n] == none;
-      }
-
+      Point<3> lower;
+      double spacing;
       int size[3];
+    };
+
+    /** The distances of grid points from the sheet, in the planes from
+     * number @p first_plane to before @p last_plane. */
+    class Distances
+    {
+    public:
+      Distances(const std::vector<Triangle> &sheet,
+                const RegularGrid &grid,
+                const double band,
+                const int first_plane,
+                const int last_plane)
+        : sheet(sheet)
+        , grid(grid)
+        , band(band)
+        , first_plane(first_plane)
+        , last_plane(last_plane)
+      {
+        nearest.resize((last_plane - first_plane) * grid.plane_size(), band);
+        slot.resize(nearest.size(), none);
+        opposite = nearest;
+        find_nearest();
+        find_opposite();
+      }
+
+      /**
+       * Largest distance from the sheet near each grid point, infinite beyond
+       * the band. Halfway between two sheets it is the mean of the distances
+       * from both; one moves there at most half a grid spacing from the point.
+       */
+      std::vector<float>
+      clearances() const
+      {
+        std::vector<float> result(nearest.size(),
+                                  std::numeric_limits<float>::infinity());
+        for (std::size_t n = 0; n < result.size(); ++n)
+          if (slot[n] != none)
+            result[n] = std::min<float>(nearest[n] + grid.spacing / 2,
+                                        (nearest[n] + opposite[n]) / 2);
+        return result;
+      }
 
     private:
-      /** Calls @p action(n, point n, triangle) for all points which the
-       * triangle may be nearer to than @p best. */
+      /** Calls @p action(n, point, triangle) for all points which the
+       * triangle may be nearer to than @p best; n counts from the first
+       * plane. */
       template <typename Action>
       void
       for_each_near_pair(const std::vector<float> &best,
@@ -137,14 +163,18 @@ namespace coapt
                 const auto bounds = std::minmax({triangle.corners[0][d],
                                                  triangle.corners[1][d],
                                                  triangle.corners[2][d]});
-                first[d]          = std::max<int>(
-                  0, std::ceil((bounds.first - band - lower[d]) / spacing));
-                last[d] =
-                  std::min<int>(size[d] - 1,
-                                std::floor((bounds.second + band - lower[d]) /
-                                           spacing));
+                first[d]          = std::max<int>(0,
+                                         std::ceil((bounds.first - band -
+                                                    grid.lower[d]) /
+                                                   grid.spacing));
+                last[d]           = std::min<int>(grid.size[d] - 1,
+                                        std::floor((bounds.second + band -
+                                                    grid.lower[d]) /
+                                                   grid.spacing));
               }
-            for (int i = first[0]; i <= last[0]; ++i)
+            for (int i = std::max(first[0], first_plane);
+                 i <= std::min(last[0], last_plane - 1);
+                 ++i)
               for (int j = first[1]; j <= last[1]; ++j)
                 treat_row(triangle, i, j, first[2], last[2], best, action);
           }
@@ -162,10 +192,12 @@ namespace coapt
                 const std::vector<float> &best,
                 const Action &action) const
       {
-        const std::size_t row = (std::size_t(i) * size[1] + j) * size[2];
-        const Point<3> begin  = point(row);
-        const double height   = triangle.normal * (begin - triangle.corners[0]);
-        const double slope    = spacing * triangle.normal[2];
+        const std::size_t row =
+          (std::size_t(i - first_plane) * grid.size[1] + j) * grid.size[2];
+        const Point<3> begin =
+          grid.point((std::size_t(i) * grid.size[1] + j) * grid.size[2]);
+        const double height = triangle.normal * (begin - triangle.corners[0]);
+        const double slope  = grid.spacing * triangle.normal[2];
         const Tensor<1, 3> offset = begin - triangle.center;
         const double across = offset[0] * offset[0] + offset[1] * offset[1];
         for (int l = first; l <= last; ++l)
@@ -173,10 +205,12 @@ namespace coapt
             const double limit = best[row + l];
             if (std::abs(height + l * slope) >= limit)
               continue;
-            const double along = offset[2] + l * spacing;
+            const double along = offset[2] + l * grid.spacing;
             const double reach = limit + triangle.radius;
             if (across + along * along < reach * reach)
-              action(row + l, point(row + l), triangle);
+              action(row + l,
+                     begin + Tensor<1, 3>({0., 0., l * grid.spacing}),
+                     triangle);
           }
       }
 
@@ -220,10 +254,10 @@ namespace coapt
                            });
       }
 
-      const std::vector<Triangle> sheet;
-      const Point<3> lower;
-      const double spacing;
+      const std::vector<Triangle> &sheet;
+      const RegularGrid &grid;
       const float band;
+      const int first_plane, last_plane;
       std::vector<float> nearest, opposite;
 
       // of points in the band: vector from the nearest point of the sheet
@@ -231,21 +265,52 @@ namespace coapt
       std::vector<Tensor<1, 3>> towards;
     };
 
+    /** The clearances at all grid points; each rank computes some planes. */
+    std::vector<float>
+    all_clearances(const std::vector<Triangle> &sheet,
+                   const RegularGrid &grid,
+                   const double band,
+                   MPI_Comm communicator)
+    {
+      const int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+      std::vector<int> begin, counts;
+      for (int rank = 0; rank <= n_ranks; ++rank)
+        begin.push_back(rank * grid.size[0] / n_ranks);
+      const int rank = Utilities::MPI::this_mpi_process(communicator);
+      const std::vector<float> own =
+        Distances(sheet, grid, band, begin[rank], begin[rank + 1]).clearances();
+
+      std::vector<float> all(grid.size[0] * grid.plane_size());
+      for (int &plane : begin)
+        plane *= grid.plane_size();
+      for (int i = 0; i < n_ranks; ++i)
+        counts.push_back(begin[i + 1] - begin[i]);
+      MPI_Allgatherv(own.data(),
+                     own.size(),
+                     MPI_FLOAT,
+                     all.data(),
+                     counts.data(),
+                     begin.data(),
+                     MPI_FLOAT,
+                     communicator);
+      return all;
+    }
+
     /** The flood: what is far from the sheet comes first, without order. */
     class Front
     {
     public:
-      explicit Front(const DistanceGrid &grid) : grid(grid)
+      explicit Front(const std::vector<float> &clearance) : clearance(clearance)
       {
       }
 
       void
       push(const std::size_t n)
       {
-        if (grid.far(n))
+        if (std::isinf(clearance[n]))
           open.push_back(n);
         else
-          narrow.push({grid.clearance(n), n});
+          narrow.push({clearance[n], n});
       }
 
       bool
@@ -272,9 +337,9 @@ namespace coapt
       }
 
     private:
-      const DistanceGrid &grid;
+      const std::vector<float> &clearance;
       std::vector<std::size_t> open;
-      std::priority_queue<std::pair<double, std::size_t>> narrow;
+      std::priority_queue<std::pair<float, std::size_t>> narrow;
     };
   } // namespace
 
@@ -288,7 +353,8 @@ namespace coapt
               const Point<3> &lower,
               const Point<3> &upper,
               const double spacing,
-              const double largest_width)
+              const double largest_width,
+              MPI_Comm communicator)
   {
     for (unsigned int d = 0; d < 3; ++d)
       if (!(upper[d] > lower[d]) || !(spacing > 0) || !(thickness > 0))
@@ -296,14 +362,15 @@ namespace coapt
                          "spacing of positive size.");
     const double step = std::min(spacing, 0.3 * thickness);
     const double band = (thickness + largest_width) / 2;
-    const DistanceGrid grid(
-      make_triangles(points, triangles), lower, upper, step, band);
-    const std::size_t strides[3] = {std::size_t(grid.size[1]) * grid.size[2],
+    const RegularGrid grid(lower, upper, step);
+    const std::vector<float> clearance = all_clearances(
+      make_triangles(points, triangles), grid, band, communicator);
+    const std::size_t strides[3] = {grid.plane_size(),
                                     std::size_t(grid.size[2]),
                                     1};
 
     std::vector<char> seen(strides[0] * grid.size[0], false);
-    Front front(grid);
+    Front front(clearance);
     const auto visit = [&](const std::size_t n) {
       if (!seen[n])
         {
@@ -323,9 +390,9 @@ namespace coapt
     while (!front.empty())
       {
         const std::size_t n = front.pop();
-        if (!grid.far(n) && grid.clearance(n) < tightest)
+        if (clearance[n] < tightest)
           {
-            tightest = grid.clearance(n);
+            tightest = clearance[n];
             place    = n;
           }
         const int k = n % grid.size[2], j = n / strides[1] % grid.size[1],

@@ -44,18 +44,30 @@ namespace coapt
 
 
   template <int dim>
-  void
-  CouplingPoints<dim>::to_lanes(const double *x, std::vector<Lanes> &result)
+  inline typename CouplingPoints<dim>::Lanes::Register
+  CouplingPoints<dim>::load(const double *x)
   {
-    for (unsigned int n = 0; n < result.size(); ++n)
-      for (unsigned int d = 0; d < dim; ++d)
-        result[n].values[d] = x[dim * n + d];
+    // Entry by entry it would go through memory, and wait for it.
+    if constexpr (dim == 2)
+      return typename Lanes::Register{x[0], x[1]};
+    else
+      return typename Lanes::Register{x[0], x[1], x[2], 0.};
   }
 
 
 
   template <int dim>
-  typename CouplingPoints<dim>::Lanes::Register
+  void
+  CouplingPoints<dim>::to_lanes(const double *x, std::vector<Lanes> &result)
+  {
+    for (unsigned int n = 0; n < result.size(); ++n)
+      result[n].values = load(x + dim * n);
+  }
+
+
+
+  template <int dim>
+  inline typename CouplingPoints<dim>::Lanes::Register
   CouplingPoints<dim>::solid_value(const Stencil &s,
                                    const std::vector<Lanes> &field)
   {
@@ -68,7 +80,7 @@ namespace coapt
 
 
   template <int dim>
-  std::array<double, CouplingPoints<dim>::n_fluid>
+  [[gnu::always_inline]] inline std::array<double, CouplingPoints<dim>::n_fluid>
   CouplingPoints<dim>::fluid_weights(const Stencil &s,
                                      const unsigned char constrained)
   {
@@ -323,28 +335,24 @@ namespace coapt
     std::fill(solid_output.begin(), solid_output.end(), Lanes{});
     for (const Run &run : runs)
       {
-        std::array<Register, n_fluid> u{}, f{};
+        std::array<Register, n_fluid> u, f{};
         for (unsigned int i = 0; i < n_fluid; ++i)
-          for (unsigned int d = 0; d < dim; ++d)
-            u[i][d] = fluid_velocity[dim * run.nodes[i] + d];
+          u[i] = load(fluid_velocity + dim * run.nodes[i]);
 
         for (unsigned int q = run.begin; q < run.end; ++q)
           {
             const Stencil &s = stencils[q];
             const std::array<double, n_fluid> weights =
               fluid_weights(s, run.constrained);
-            Register slip = solid_value(s, solid_input), lambda{};
+            Register slip = solid_value(s, solid_input);
             for (unsigned int i = 0; i < n_fluid; ++i)
               slip -= weights[i] * u[i];
             if (s.scale == 0)
               slip = Register{};
             for (unsigned int d = 0; d < dim; ++d)
-              {
-                lambda[d]                    = multiplier[dim * q + d];
-                multiplier_rate[dim * q + d] = coefficients.stiffness * slip[d];
-              }
-            const Register force =
-              s.volume * (lambda + coefficients.drag * slip);
+              multiplier_rate[dim * q + d] = coefficients.stiffness * slip[d];
+            const Register force = s.volume *
+              (load(multiplier + dim * q) + coefficients.drag * slip);
             for (unsigned int i = 0; i < n_fluid; ++i)
               f[i] += weights[i] * force;
             for (unsigned int a = 0; a < n_solid; ++a)

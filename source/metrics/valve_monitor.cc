@@ -264,7 +264,8 @@ namespace coapt
       0.25e-3,
       std::max(2e-3,
                model.parameters.contact.clearance +
-                 2 * model.parameters.mesh.finest_cell()));
+                 2 * model.parameters.mesh.finest_cell()),
+      model.communicator);
     // Surfaces touch where contact holds them apart, at the clearance.
     sample.path_gap = sample.path.width;
     sample.path_width =

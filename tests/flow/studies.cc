@@ -68,7 +68,8 @@ namespace
   void
   check_couette()
   {
-    for (const FlowResult &result : study<2>("couette", "2, 3").results())
+    const RefinementStudy<2> couette = study<2>("couette", "2, 3");
+    for (const FlowResult &result : couette.results())
       check("couette, exact",
             result.errors.velocity_max < 1e-12,
             result.errors.velocity_max);

@@ -2,7 +2,7 @@
 #define coapt_coupled_model_parameters_h
 
 #include <coapt/contact/contact_parameters.h>
-#include <coapt/coupled/solid_band.h>
+#include <coapt/coupled/mesh_parameters.h>
 #include <coapt/fluid/fluid_parameters.h>
 #include <coapt/geometry/lumen.h>
 #include <coapt/geometry/valve_parameters.h>

@@ -1,7 +1,8 @@
 #ifndef coapt_coupled_solid_band_h
 #define coapt_coupled_solid_band_h
 
-#include <deal.II/base/parameter_handler.h>
+#include <coapt/coupled/mesh_parameters.h>
+
 #include <deal.II/base/point.h>
 
 #include <deal.II/numerics/rtree.h>
@@ -11,36 +12,6 @@
 
 namespace coapt
 {
-  /** Resolution of the octree (subsection "Mesh"). */
-  struct MeshParameters
-  {
-    /** Edge of a coarse cell (m). */
-    double coarse_cell = 5e-3;
-
-    /** Levels of refinement of the lumen, and of the band around the
-     * leaflet. */
-    unsigned int lumen_level   = 2;
-    unsigned int leaflet_level = 3;
-
-    /** Half width of the band around the leaflet, in its cells. */
-    double band = 2.5;
-
-    /** Edge of the finest cell (m). */
-    double
-    finest_cell() const
-    {
-      return coarse_cell / (1u << leaflet_level);
-    }
-
-    /** Declares the parameters. */
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
-
-    /** Reads them; throws InputError if the levels are out of order. */
-    void
-    parse_parameters(dealii::ParameterHandler &prm);
-  };
-
   /**
    * The refinement that follows the solid: the finest level within a band
    * around it, the lumen's level elsewhere, no refinement outside the lumen.
@@ -54,14 +25,23 @@ namespace coapt
     SolidBand(const MeshParameters &parameters,
               const std::function<double(const dealii::Point<dim> &)> &lumen);
 
-    /** Places the band around the solid whose points are @p x (m), close
-     * enough to each other to leave no gap. */
+    /**
+     * Places the band around the solid whose points are @p x (m), close
+     * enough to each other to leave no gap, and around where they will be with
+     * the velocities @p v (m/s), at most 1.5 finest cells further: a moving
+     * solid takes longer to use up its band. Without velocities it rests.
+     */
     void
-    place(const std::vector<dealii::Point<dim>> &x);
+    place(const std::vector<dealii::Point<dim>> &x,
+          const std::vector<dealii::Point<dim>> &v = {});
 
     /** Level that a cell of this @p center and @p size (m) is to have. */
     unsigned int
     wanted_level(const dealii::Point<dim> &center, const double size) const;
+
+    /** Whether @p x is within the band, or a cell beside it. */
+    bool
+    is_near(const dealii::Point<dim> &x) const;
 
     /** Whether the solid, now at @p x, has used up its band, of which half a
      * cell beside those that it lies in must remain. */
@@ -69,9 +49,13 @@ namespace coapt
     is_used_up(const std::vector<dealii::Point<dim>> &x) const;
 
   private:
+    /** Distance (m) of @p x from the solid. */
+    double
+    distance(const dealii::Point<dim> &x) const;
+
     MeshParameters parameters;
     std::function<double(const dealii::Point<dim> &)> lumen;
-    std::vector<dealii::Point<dim>> placed;
+    std::vector<dealii::Point<dim>> placed, ahead;
     dealii::RTree<dealii::Point<dim>> tree;
   };
 } // namespace coapt

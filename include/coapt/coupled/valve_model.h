@@ -7,7 +7,9 @@
 #include <coapt/chordae/chordae_network.h>
 #include <coapt/contact/mid_surface_contact.h>
 #include <coapt/coupled/coupled_system.h>
+#include <coapt/coupled/flow_indicator.h>
 #include <coapt/coupled/model_parameters.h>
+#include <coapt/coupled/solid_band.h>
 #include <coapt/geometry/leaflet.h>
 #include <coapt/geometry/lumen.h>
 
@@ -44,10 +46,10 @@ namespace coapt
     bool
     band_is_used_up(const std::vector<double> &y) const;
 
-    /** Lets the octree follow the leaflet; returns whether the layout of the
-     * state has changed. Collective. */
+    /** Lets the octree follow the leaflet and, if that is wanted, the flow;
+     * returns whether the layout of the state has changed. Collective. */
     bool
-    follow_leaflet(std::vector<double> &y);
+    adapt(std::vector<double> &y, Log &log);
 
     /**
      * Warns where the resolution may let the leaflet leak or the computation
@@ -133,7 +135,12 @@ namespace coapt
     std::function<double(const dealii::Point<3> &)>
     distance_to_wall() const;
 
+    /** Level that a cell is to have. */
+    unsigned int
+    wanted_level(const dealii::Point<3> &center, const double size) const;
+
     SolidBand<3> band;
+    FlowIndicator<3> flow_indicator;
     std::function<void(double)> contact_work_listener;
   };
 } // namespace coapt

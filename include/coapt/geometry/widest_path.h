@@ -3,6 +3,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <mpi.h>
+
 #include <array>
 #include <functional>
 #include <vector>
@@ -42,6 +44,8 @@ namespace coapt
    *   necessary.
    * @param largest_width widths (m) beyond this are not told apart; distances
    *   are computed in a band of (thickness + largest_width)/2 only.
+   * @param communicator of ranks that call this with the same arguments and
+   *   share the work.
    * @throws InputError if the box is empty or no point of its lower end is
    *   inside.
    */
@@ -52,8 +56,9 @@ namespace coapt
               const std::function<bool(const dealii::Point<3> &)> &inside,
               const dealii::Point<3> &lower,
               const dealii::Point<3> &upper,
-              double spacing       = 0.25e-3,
-              double largest_width = 2e-3);
+              double spacing        = 0.25e-3,
+              double largest_width  = 2e-3,
+              MPI_Comm communicator = MPI_COMM_SELF);
 } // namespace coapt
 
 #endif

@@ -120,7 +120,8 @@ namespace coapt
       return points.size();
     }
 
-    /** Positions of all points for nodal positions @p X (m). */
+    /** Positions of all points for nodal positions @p X (m), or velocities
+     * for nodal velocities. */
     std::vector<dealii::Point<dim>>
     positions(const double *X) const;
 
@@ -155,6 +156,10 @@ namespace coapt
         __attribute__((vector_size(size * sizeof(double))));
       Register values;
     };
+
+    /** The dim numbers that begin at @p x. */
+    static typename Lanes::Register
+    load(const double *x);
 
     /** Copies one entry of dim numbers for each node. */
     static void
