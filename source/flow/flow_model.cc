@@ -198,18 +198,6 @@ namespace coapt
 
 
   template <int dim>
-  unsigned int
-  FlowModel<dim>::n_cells() const
-  {
-    unsigned int n = 0;
-    for (unsigned int c = 0; c < op.n_owned_cells(); ++c)
-      n += op.is_active_cell(c);
-    return dealii::Utilities::MPI::sum(n, communicator);
-  }
-
-
-
-  template <int dim>
   bool
   FlowModel<dim>::has_pressure_boundary() const
   {

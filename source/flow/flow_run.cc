@@ -323,7 +323,7 @@ namespace coapt
   FlowRun<dim>::result() const
   {
     FlowResult result;
-    result.cells        = model.n_cells();
+    result.cells        = model.fluid().n_active_cells();
     result.cell_size    = model.cell_size();
     result.steps        = integrator.n_steps();
     result.wall_seconds = wall_time();

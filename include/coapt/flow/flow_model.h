@@ -44,10 +44,6 @@ namespace coapt
     std::vector<double>
     nodal_forces(const double time, const double *y) const;
 
-    /** Cells that carry fluid, of all ranks. */
-    unsigned int
-    n_cells() const;
-
     /** Whether a side gives the pressure, which is unique then. */
     bool
     has_pressure_boundary() const;
