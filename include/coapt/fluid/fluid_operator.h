@@ -27,6 +27,8 @@ namespace coapt
   {
     /** Dissipation by viscosity and artificial viscosity. */
     double viscous = 0;
+    /** The part of viscous that is due to the artificial viscosity. */
+    double artificial = 0;
     /** Dissipation by the hourglass damping. */
     double hourglass = 0;
     /** Dissipation by the checkerboard filter. */
