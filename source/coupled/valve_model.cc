@@ -98,6 +98,13 @@ namespace coapt
     cells[2] = cells_along(upper[2] - lower[2], h);
     grid = std::make_unique<FluidGrid<3>>(communicator, lower, upper, cells);
 
+    work = std::make_unique<CellWork<3>>(lower,
+                                         parameters.mesh.finest_cell(),
+                                         distance_to_wall());
+    grid->divide_by([this](const Point<3> &center, const double size) {
+      return (*work)(center, size);
+    });
+
     FluidBoundaries<3> boundaries;
     boundaries.type.fill(FluidBoundary::no_slip);
     boundaries.type[ventricular_end]     = FluidBoundary::pressure_end;
@@ -132,6 +139,7 @@ namespace coapt
       for (unsigned int d = 0; d < 3; ++d)
         X[3 * n + d] = leaflet.mesh.points[n][d];
     band.place(points->positions(X.data()));
+    work->place(points->positions(X.data()));
     grid->refine_to([this](const Point<3> &center, const double size) {
       return wanted_level(center, size);
     });
@@ -213,8 +221,10 @@ namespace coapt
   bool
   ValveModel::adapt(std::vector<double> &y, Log &log)
   {
-    band.place(points->positions(system->solid_positions(y.data()).data()),
-               points->positions(system->solid_velocities(y.data()).data()));
+    const std::vector<Point<3>> x =
+      points->positions(system->solid_positions(y.data()).data());
+    band.place(x, points->positions(system->solid_velocities(y.data()).data()));
+    work->place(x);
     if (parameters.mesh.follows_flow() &&
         flow_indicator.update(*grid,
                               *fluid,

@@ -78,9 +78,9 @@ struct CoupledCase
   set_velocity(const Field &f, const Field &g = {})
   {
     const auto &at = system.layout();
-    for (unsigned int i = 0; i < fluid.n_owned_nodes(); ++i)
+    for (unsigned int n = 0; n < fluid.n_owned_nodes(); ++n)
       for (int d = 0; d < dim; ++d)
-        y[at.velocity() + dim * i + d] = f(fluid.position(i), d);
+        y[at.velocity() + dim * n + d] = f(fluid.position(n), d);
     fluid.apply_constraints(y.data() + at.velocity());
     for (unsigned int n = 0; n < at.n_solid_nodes; ++n)
       {

@@ -6,6 +6,7 @@
 #include <coapt/base/timing.h>
 #include <coapt/chordae/chordae_network.h>
 #include <coapt/contact/mid_surface_contact.h>
+#include <coapt/coupled/cell_work.h>
 #include <coapt/coupled/coupled_system.h>
 #include <coapt/coupled/flow_indicator.h>
 #include <coapt/coupled/model_parameters.h>
@@ -141,6 +142,7 @@ namespace coapt
 
     SolidBand<3> band;
     FlowIndicator<3> flow_indicator;
+    std::unique_ptr<CellWork<3>> work;
     std::function<void(double)> contact_work_listener;
   };
 } // namespace coapt

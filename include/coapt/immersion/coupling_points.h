@@ -1,6 +1,7 @@
 #ifndef coapt_immersion_coupling_points_h
 #define coapt_immersion_coupling_points_h
 
+#include <coapt/base/node_register.h>
 #include <coapt/fluid/fluid_operator.h>
 #include <coapt/geometry/coupling_lattice.h>
 #include <coapt/geometry/simplex_mesh.h>
@@ -48,9 +49,11 @@ namespace coapt
     /**
      * Recomputes cells and weights for the nodal positions @p X (m) and sets
      * the multiplier of points without a free fluid node to zero. Weights of
-     * fully constrained fluid nodes are zeroed and the others rescaled to sum
+     * fluid nodes held at rest are zeroed and the others rescaled to sum
      * one; without this, the multiplier integrates against nodes that cannot
-     * follow, and a leaflet that slides along a wall is glued to it.
+     * follow, and a leaflet that slides along a wall is glued to it. Nodes
+     * that follow a given velocity take part, so that a body feels a moving
+     * wall; what they get of its force goes to the wall.
      *
      * Returns whether all points of this rank lie in cells known to it; if
      * not on some rank, distribute() is due. Now and then puts the points,
@@ -129,6 +132,9 @@ namespace coapt
     static constexpr unsigned int n_fluid = 1u << dim;
     static constexpr unsigned int n_solid = dim + 1;
 
+    /** The bits of all nodes of a fluid cell. */
+    static constexpr unsigned char all_nodes = (1u << n_fluid) - 1;
+
     /** What is needed of a point, together in memory. */
     struct Stencil
     {
@@ -148,39 +154,43 @@ namespace coapt
       unsigned int begin, end;
     };
 
-    /** dim numbers in a register; in 3D the fourth is idle. */
+    using Node     = NodeRegister<dim>;
+    using Register = typename Node::Register;
+
+    /** An element of a std::vector, which takes no plain vector types. */
     struct Lanes
     {
-      static constexpr unsigned int size = dim == 2 ? 2 : 4;
-      typedef double Register
-        __attribute__((vector_size(size * sizeof(double))));
       Register values;
     };
 
-    /** The dim numbers that begin at @p x. */
-    static typename Lanes::Register
-    load(const double *x);
+    /** Numbers for the nodes of a fluid cell. */
+    using FluidWeights = typename VectorOfDoubles<n_fluid>::type;
+
+    static dealii::Point<dim>
+    to_point(const Register &x);
 
     /** Copies one entry of dim numbers for each node. */
     static void
     to_lanes(const double *x, std::vector<Lanes> &result);
 
     /** Interpolation of a nodal field of the solid. */
-    static typename Lanes::Register
+    static Register
     solid_value(const Stencil &s, const std::vector<Lanes> &field);
+
+    /** One for each node of a fluid cell that is free, zero for others. */
+    static FluidWeights
+    free_nodes(const unsigned char constrained);
 
     /** Weights of the nodes of the fluid cell, those of the constrained ones
      * zero and the others rescaled. */
-    static std::array<double, n_fluid>
-    fluid_weights(const Stencil &s, const unsigned char constrained);
+    static FluidWeights
+    fluid_weights(const Stencil &s, const FluidWeights &free);
 
     Stencil
     unplaced_stencil(const unsigned int id) const;
 
-    dealii::Point<dim>
-    position(const Stencil &stencil, const double *X) const;
-
-    /** Which nodes of a fluid cell are held, a bit for each. */
+    /** Which nodes of a fluid cell are held at rest, a bit for each. Nodes that
+     * follow a given velocity are not among them. */
     static unsigned char
     constrained_nodes(const FluidOperator<dim> &fluid, const int cell);
 
@@ -196,9 +206,7 @@ namespace coapt
     /** Finds cell and weights of a point at @p x; returns whether its cell is
      * known, and otherwise leaves what was there. */
     static bool
-    place(Stencil &stencil,
-          const FluidOperator<dim> &fluid,
-          const typename Lanes::Register &x);
+    place(Stencil &stencil, const FluidOperator<dim> &fluid, const Register &x);
 
     /** Puts the points in the order of their cells. */
     void
