@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <coapt/base/all_finite.h>
 #include <coapt/base/exceptions.h>
 #include <coapt/base/parameter_file.h>
 #include <coapt/simulation.h>
@@ -26,16 +27,11 @@ namespace coapt
                              dealii::ParameterHandler &prm)
   {
     read_parameter_file(prm, file);
-    try
-      {
-        run.parse_parameters(prm);
-        step.parse_parameters(prm);
-        model.parse_parameters(prm);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(file + ": " + error.what());
-      }
+    with_file_name(file, [&]() {
+      run.parse_parameters(prm);
+      step.parse_parameters(prm);
+      model.parse_parameters(prm);
+    });
     model.folder = std::filesystem::path(file).parent_path().string();
   }
 
@@ -215,12 +211,7 @@ namespace coapt
   void
   Simulation::check_finite(Recorder &recorder)
   {
-    // A sum is not finite if one of its terms is not.
-    double sum = 0;
-    for (const double value : state)
-      sum += value;
-    if (dealii::Utilities::MPI::min(std::isfinite(sum) ? 1 : 0, communicator) ==
-        1)
+    if (all_finite(state, communicator))
       {
         last_finite_state = state;
         last_finite_time  = integrator.time();

@@ -325,10 +325,7 @@ namespace coapt
   unsigned int
   ValveModel::n_active_cells() const
   {
-    unsigned int n = 0;
-    for (unsigned int c = 0; c < fluid->n_owned_cells(); ++c)
-      n += fluid->is_active_cell(c);
-    return dealii::Utilities::MPI::sum(n, communicator);
+    return fluid->n_active_cells();
   }
 
 

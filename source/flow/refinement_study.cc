@@ -34,6 +34,34 @@ namespace coapt
       return value == std::round(value);
     }
 
+    /** Sets the parameter "Section/Entry" and returns what it was. */
+    std::string
+    exchange(dealii::ParameterHandler &prm,
+             const std::string &parameter,
+             const std::string &text)
+    {
+      auto path = dealii::Utilities::split_string_list(parameter, '/');
+      const std::string entry = path.back();
+      path.pop_back();
+      try
+        {
+          for (const std::string &section : path)
+            prm.enter_subsection(section);
+          const std::string before = prm.get(entry);
+          prm.set(entry, text);
+          for (unsigned int i = 0; i < path.size(); ++i)
+            prm.leave_subsection();
+          return before;
+        }
+      catch (const dealii::ExceptionBase &)
+        {
+          throw InputError("Study/Parameter = " + parameter +
+                           " cannot be set to " + text +
+                           ", expected is Section/Entry and a value that it "
+                           "allows");
+        }
+    }
+
     /** The measures of error with their names. */
     const std::vector<std::pair<std::string, double FlowErrors::*>>
       error_columns = {{"velocity_l2", &FlowErrors::velocity_l2},
@@ -83,32 +111,11 @@ namespace coapt
   RefinementStudy<dim>::with_value(dealii::ParameterHandler &prm,
                                    const double value) const
   {
-    const auto path =
-      dealii::Utilities::split_string_list(parameters.varied_parameter, '/');
-    FlowParameters result = parameters;
-    std::string before;
-    const auto set = [&](const std::string &text) {
-      for (unsigned int i = 0; i + 1 < path.size(); ++i)
-        prm.enter_subsection(path[i]);
-      before = prm.get(path.back());
-      prm.set(path.back(), text);
-      for (unsigned int i = 0; i + 1 < path.size(); ++i)
-        prm.leave_subsection();
-    };
-    try
-      {
-        set(text_of(value, 16));
-      }
-    catch (const dealii::ExceptionBase &)
-      {
-        throw InputError("Study/Parameter = " + parameters.varied_parameter +
-                         " cannot be set to " + text_of(value, 16) +
-                         ", expected is Section/Entry and a value that it "
-                         "allows");
-      }
-    const std::string original = before;
+    FlowParameters result      = parameters;
+    const std::string &name    = parameters.varied_parameter;
+    const std::string original = exchange(prm, name, text_of(value, 16));
     result.parse_parameters(prm);
-    set(original);
+    exchange(prm, name, original);
     return result;
   }
 

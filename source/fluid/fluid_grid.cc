@@ -84,6 +84,18 @@ namespace coapt
 
 
   template <int dim>
+  bool
+  FluidGrid<dim>::is_on_side(const dealii::Point<dim> &point,
+                             const unsigned int side) const
+  {
+    const unsigned int d  = side / 2;
+    const double position = (side % 2) ? upper_corner[d] : lower_corner[d];
+    return std::abs(point[d] - position) <= 1e-6 * coarse_size;
+  }
+
+
+
+  template <int dim>
   double
   FluidGrid<dim>::cell_size(const unsigned int level) const
   {

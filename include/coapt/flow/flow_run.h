@@ -79,6 +79,10 @@ namespace coapt
     void
     add_forces(Row &row) const;
 
+    /** Adds the powers that are dissipated. */
+    void
+    add_dissipation(Row &row) const;
+
     void
     check_finite() const;
 

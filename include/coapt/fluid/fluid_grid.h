@@ -67,6 +67,10 @@ namespace coapt
     const dealii::Point<dim> &
     upper() const;
 
+    /** Whether a point lies on a side of the box. */
+    bool
+    is_on_side(const dealii::Point<dim> &point, const unsigned int side) const;
+
     /** Size (m) of the cells of a level. */
     double
     cell_size(const unsigned int level) const;
