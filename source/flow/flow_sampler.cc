@@ -44,6 +44,16 @@ namespace coapt
       return result;
     }
 
+    template <int dim>
+    [[noreturn]] void
+    refuse(const Point<dim> &point)
+    {
+      std::ostringstream text;
+      text << "the point (" << point
+           << ") m, at which the flow is wanted, is outside of the box";
+      throw InputError(text.str());
+    }
+
     /** The point moved off the upper sides, since cells are half-open. */
     template <int dim>
     Point<dim>
@@ -55,7 +65,7 @@ namespace coapt
                             grid.upper()[d] -
                               1e-9 * (grid.upper()[d] - grid.lower()[d]));
       if (given.distance(point) > 1e-6 * grid.lower().distance(grid.upper()))
-        throw InputError("a point is outside the box");
+        refuse(given);
       return point;
     }
   } // namespace
@@ -103,7 +113,7 @@ namespace coapt
       {
         const double *value = &all[(dim + 2) * k];
         if (value[dim + 1] == 0)
-          throw InputError("a point is outside the box");
+          refuse(points[k]);
         dealii::Tensor<1, dim> velocity;
         for (unsigned int d = 0; d < dim; ++d)
           velocity[d] = value[d];
