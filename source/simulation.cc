@@ -105,7 +105,6 @@ namespace coapt
         const double dt  = step_control.step(until - integrator.time());
         const auto scope = timing.scope(sections.integrator);
         model.system->begin_step(dt);
-        last_step = dt;
         try
           {
             integrator.step(dt);

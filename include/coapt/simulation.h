@@ -98,7 +98,6 @@ namespace coapt
     std::vector<double> state;
     std::vector<double> last_finite_state, failed_state;
     double last_finite_time = 0;
-    double last_step        = 0;
     double last_adaptation  = 0;
   };
 } // namespace coapt

@@ -384,6 +384,37 @@ namespace coapt
 
 
 
+  template <int dim>
+  double
+  CoupledSystem<dim>::driving_power(const double t, const double *y) const
+  {
+    const std::vector<double> u     = local_velocity(y);
+    const std::vector<double> V_all = solid_velocities(y);
+    std::vector<double> force(u.size(), 0.), solid_reaction(V_all.size());
+    std::vector<double> rate(
+      std::max(state_layout.n_fluid_cells, dim * state_layout.n_points));
+    fluid.add_forces(
+      t, u.data(), y + state_layout.pressure(), force.data(), rate.data());
+    points.add_forces(coefficients,
+                      u.data(),
+                      V_all.data(),
+                      y + state_layout.multiplier(),
+                      force.data(),
+                      solid_reaction.data(),
+                      rate.data());
+    fluid.sum_forces(force.data());
+    std::vector<double> acceleration(dim * state_layout.n_fluid_nodes, 0.);
+    fluid.set_boundary_acceleration(t, acceleration.data());
+    double power = 0;
+    for (unsigned int n = 0; n < state_layout.n_fluid_nodes; ++n)
+      for (unsigned int i = dim * n; i < dim * (n + 1); ++i)
+        if (fluid.is_driven_node(n))
+          power += (fluid.nodal_mass(n) * acceleration[i] - force[i]) * u[i];
+    return dealii::Utilities::MPI::sum(power, communicator);
+  }
+
+
+
   template class CoupledSystem<2>;
   template class CoupledSystem<3>;
 } // namespace coapt

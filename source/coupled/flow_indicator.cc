@@ -46,7 +46,7 @@ namespace coapt
   std::size_t
   FlowIndicator<dim>::box(const Point<dim> &x) const
   {
-    const double size = parameters.coarse_cell / (1u << parameters.lumen_level);
+    const double size  = parameters.cell_size(parameters.lumen_level);
     std::size_t number = 0;
     for (unsigned int d = 0; d < dim; ++d)
       {
@@ -67,9 +67,9 @@ namespace coapt
                              const Mask &masked)
   {
     const MPI_Comm communicator = grid.triangulation().get_communicator();
-    const double size = parameters.coarse_cell / (1u << parameters.lumen_level);
-    std::size_t n     = 1;
-    lower             = grid.lower();
+    const double size           = parameters.cell_size(parameters.lumen_level);
+    std::size_t n               = 1;
+    lower                       = grid.lower();
     for (unsigned int d = 0; d < dim; ++d)
       {
         n_boxes[d] = std::lround((grid.upper()[d] - grid.lower()[d]) / size);
@@ -114,7 +114,7 @@ namespace coapt
   {
     unsigned int level = parameters.lumen_level;
     while (level < parameters.flow_level &&
-           gradient * parameters.coarse_cell / (1u << level) > jump)
+           gradient * parameters.cell_size(level) > jump)
       ++level;
     return level;
   }

@@ -1,7 +1,7 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/base/first_rank.h>
 #include <coapt/flow/immersed_bodies.h>
-#include <coapt/geometry/coupling_lattice.h>
+#include <coapt/geometry/surface_distance.h>
 #include <coapt/io/fluid_piece.h>
 #include <coapt/time/stability_limit.h>
 
@@ -95,11 +95,7 @@ namespace coapt
             body.fibre,
             {},
             model.communicator)
-    , points(body.mesh,
-             simplex_lattice(body.mesh,
-                             parameters.immersed->coupling.spacing *
-                               model.smallest_cell_size()),
-             model.communicator)
+    , points(body.mesh, coupling_lattice(), model.communicator)
     , system(model.fluid(),
              solid,
              points,
@@ -109,8 +105,11 @@ namespace coapt
              parameters.fluid.density,
              timing,
              model.communicator)
+    , audit(system, model.fluid(), solid, points)
   {
     check_inside();
+    if (parameters.immersed->damping_rate > 0)
+      add_damping();
     for (const auto &coordinates : parameters.immersed->displacement_points)
       {
         Point<dim> point;
@@ -140,6 +139,53 @@ namespace coapt
         ranges.emplace_back(begin, all.mesh.cells.size());
       }
     return all;
+  }
+
+
+
+  template <int dim>
+  std::vector<SamplePoint<dim>>
+  ImmersedBodies<dim>::coupling_lattice() const
+  {
+    const ImmersedParameters &immersed = *parameters.immersed;
+    const double h                     = model.smallest_cell_size();
+    std::vector<SamplePoint<dim>> all;
+    for (const CellRange &range : ranges)
+      {
+        // one body at a time: the surface of another may cross it
+        SimplexMesh<dim> mesh;
+        mesh.points = body.mesh.points;
+        mesh.cells.assign(body.mesh.cells.begin() + range.first,
+                          body.mesh.cells.begin() + range.second);
+        auto samples = simplex_lattice(mesh, immersed.coupling.spacing * h);
+        if (immersed.margin > 0)
+          samples = away_from_surface(mesh, samples, immersed.margin * h);
+        if (samples.empty())
+          throw InputError("Body/Margin is " + std::to_string(immersed.margin) +
+                           " cells of " + std::to_string(h) +
+                           " m, which leaves nothing of a body");
+        for (SamplePoint<dim> &sample : samples)
+          sample.cell += range.first;
+        all.insert(all.end(), samples.begin(), samples.end());
+      }
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  ImmersedBodies<dim>::add_damping()
+  {
+    system.add_load([this](double, const double *, const double *V, double *F) {
+      // the loads of all ranks are summed up
+      if (!is_first_rank(model.communicator))
+        return;
+      for (unsigned int n = 0; n < solid.n_nodes(); ++n)
+        for (unsigned int d = 0; d < dim; ++d)
+          F[dim * n + d] -= parameters.immersed->damping_rate *
+            solid.mass()[n] * V[dim * n + d];
+    });
   }
 
 
@@ -266,8 +312,11 @@ namespace coapt
 
   template <int dim>
   bool
-  ImmersedBodies<dim>::follow(std::vector<double> &y)
+  ImmersedBodies<dim>::follow(const double t, std::vector<double> &y)
   {
+    const unsigned int steps_between_audits = 10;
+    if (++steps_since_audit >= steps_between_audits)
+      take_audit(t, y.data());
     const unsigned int upper_x_side = 1;
     if (parameters.immersed->measures_leak)
       outflow += step_length *
@@ -308,7 +357,9 @@ namespace coapt
     last_sample                 = t;
     measure_force(interval, V);
 
-    Row row = {{"elastic_energy_J", solid.elastic_energy(X.data())}};
+    take_audit(t, y);
+    Row row = EnergyAudit<dim>::entries(audit.work(), audit.energies(y));
+    row.emplace_back("energy_error_relative", audit.relative_error(y));
     for (unsigned int d = 0; d < dim; ++d)
       row.emplace_back("body_force_" + axis(d) + "_N", mean_force[d]);
     for (unsigned int i = 0; i < displacement_points.size(); ++i)
@@ -323,6 +374,16 @@ namespace coapt
     if (parameters.immersed->measures_leak)
       add_leak(row, interval, X);
     return row;
+  }
+
+
+
+  template <int dim>
+  void
+  ImmersedBodies<dim>::take_audit(const double t, const double *y)
+  {
+    steps_since_audit = 0;
+    audit.sample(t, y);
   }
 
 

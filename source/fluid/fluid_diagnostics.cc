@@ -103,8 +103,11 @@ namespace coapt
             for (unsigned int s = 1; s < n_corners; ++s)
               (internal::is_hourglass(s) ? hourglass : gradient) +=
                 modes[d][s] * modes[d][s];
-          result.viscous += viscosity * std::pow(h, dim - 2) * 4 /
-            (n_corners * n_corners) * gradient;
+          // integral of the squared gradient of the linear part
+          const double squares =
+            std::pow(h, dim - 2) * 4 / (n_corners * n_corners) * gradient;
+          result.viscous += coefficients.viscosity * squares;
+          result.artificial += (viscosity - coefficients.viscosity) * squares;
           result.hourglass += coefficients.hourglass * std::pow(h, dim - 1) /
             (n_corners * n_corners) * hourglass;
         }
@@ -117,6 +120,7 @@ namespace coapt
           result.impedance += boundaries.impedance[side] * integral[1];
         }
     for (double *part : {&result.viscous,
+                         &result.artificial,
                          &result.hourglass,
                          &result.checkerboard,
                          &result.impedance,

@@ -244,6 +244,15 @@ namespace coapt
 
 
   template <int dim>
+  bool
+  FluidOperator<dim>::is_driven_node(const unsigned int local_node) const
+  {
+    return driven[local_node];
+  }
+
+
+
+  template <int dim>
   const dealii::Point<dim> &
   FluidOperator<dim>::position(const unsigned int owned_node) const
   {

@@ -165,6 +165,15 @@ namespace coapt
                       positions,
                       boundaries.velocity,
                       4 * smallest_size / fluid_parameters.sound_speed);
+
+    std::vector<double> owned(dim * nodes.n_owned(), 0.);
+    for (const unsigned int i : given)
+      owned[dim * i] = 1;
+    std::vector<double> local(dim * nodes.n_local());
+    nodes.gather(owned.data(), local.data());
+    driven.resize(nodes.n_local());
+    for (unsigned int i = 0; i < nodes.n_local(); ++i)
+      driven[i] = local[dim * i] > 0.999; // of a mean of ones
   }
 
 

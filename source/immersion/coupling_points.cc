@@ -57,6 +57,18 @@ namespace coapt
 
 
   template <int dim>
+  Point<dim>
+  CouplingPoints<dim>::to_point(const typename Lanes::Register &x)
+  {
+    Point<dim> point;
+    for (unsigned int d = 0; d < dim; ++d)
+      point[d] = x[d];
+    return point;
+  }
+
+
+
+  template <int dim>
   void
   CouplingPoints<dim>::to_lanes(const double *x, std::vector<Lanes> &result)
   {
@@ -102,25 +114,14 @@ namespace coapt
 
 
   template <int dim>
-  Point<dim>
-  CouplingPoints<dim>::position(const Stencil &stencil, const double *X) const
-  {
-    Point<dim> x;
-    for (unsigned int a = 0; a < n_solid; ++a)
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] += stencil.solid_weights[a] * X[dim * stencil.solid_nodes[a] + d];
-    return x;
-  }
-
-
-
-  template <int dim>
   std::vector<Point<dim>>
   CouplingPoints<dim>::positions(const double *X) const
   {
-    std::vector<Point<dim>> result(points.size());
+    std::vector<Lanes> nodes(mesh.points.size());
+    to_lanes(X, nodes);
+    std::vector<Point<dim>> result;
     for (unsigned int id = 0; id < points.size(); ++id)
-      result[id] = position(unplaced_stencil(id), X);
+      result.push_back(to_point(solid_value(unplaced_stencil(id), nodes)));
     return result;
   }
 
@@ -198,7 +199,11 @@ namespace coapt
   {
     unsigned char constrained = 0;
     for (unsigned int i = 0; i < n_fluid; ++i)
-      constrained |= fluid.is_constrained_node(fluid.cell(cell).nodes[i]) << i;
+      {
+        const unsigned int node = fluid.cell(cell).nodes[i];
+        constrained |=
+          (fluid.is_constrained_node(node) && !fluid.is_driven_node(node)) << i;
+      }
     return constrained;
   }
 
@@ -247,10 +252,7 @@ namespace coapt
                              const FluidOperator<dim> &fluid,
                              const typename Lanes::Register &x)
   {
-    Point<dim> point;
-    for (unsigned int d = 0; d < dim; ++d)
-      point[d] = x[d];
-    const int found = fluid.locate(point);
+    const int found = fluid.locate(to_point(x));
     if (found < 0)
       return false;
     const auto &cell = fluid.cell(found);

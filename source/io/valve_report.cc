@@ -39,21 +39,11 @@ namespace coapt
                 {"slip_rms_m_per_s", s.slip_rms},
                 {"hourglass_rms_m_per_s", s.hourglass_rms},
                 {"checkerboard_rms_Pa", s.checkerboard_rms},
-                {"point_spacing_cells", s.point_spacing},
-                {"work_of_ends_J", s.works.ends},
-                {"work_of_chordae_J", s.works.loads},
-                {"work_of_contact_J", s.works.contact},
-                {"work_of_adaptation_J", s.works.adaptation},
-                {"work_of_relaxation_J", s.works.relaxation},
-                {"losses_fluid_J", s.works.fluid_losses},
-                {"losses_solid_J", s.works.solid_losses},
-                {"losses_slip_J", s.works.slip_losses},
-                {"energy_kinetic_fluid_J", s.energies.fluid_kinetic},
-                {"energy_acoustic_J", s.energies.acoustic},
-                {"energy_kinetic_solid_J", s.energies.solid_kinetic},
-                {"energy_elastic_J", s.energies.elastic},
-                {"energy_multiplier_J", s.energies.multiplier},
-                {"energy_error_relative", s.energy_error},
+                {"point_spacing_cells", s.point_spacing}});
+    const auto energies = EnergyAudit<3>::entries(s.works, s.energies);
+    row.insert(row.end(), energies.begin(), energies.end());
+    row.insert(row.end(),
+               {{"energy_error_relative", s.energy_error},
                 {"fluid_cells", double(cost.fluid_cells)},
                 {"steps", double(cost.steps)}});
     return row;

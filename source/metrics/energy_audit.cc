@@ -48,15 +48,13 @@ namespace coapt
     const auto &at              = system.layout();
     const std::vector<double> u = system.local_velocity(y);
     const std::vector<double> V = system.solid_velocities(y);
-    const FluidPowers flow      = fluid.powers(t, u.data(), y + at.pressure());
 
     // The impedance is a part of the end: what reaches the lumen is the
     // power of the pressure minus that lost in the impedance.
     Powers powers;
-    powers.ends  = flow.ends;
-    powers.loads = system.load_power(t, y);
-    powers.fluid =
-      flow.viscous + flow.hourglass + flow.checkerboard + flow.impedance;
+    powers.fluid        = fluid.powers(t, u.data(), y + at.pressure());
+    powers.driven_sides = system.driving_power(t, y);
+    powers.loads        = system.load_power(t, y);
     powers.solid        = solid.viscous_power(V.data());
     const auto coupling = points.energy_and_power(system.relaxation(),
                                                   u.data(),
@@ -77,17 +75,26 @@ namespace coapt
     const Powers now = powers(t, y);
     if (started)
       {
-        const double half = 0.5 * (t - last_time);
-        works.ends += half * (last.ends + now.ends);
-        works.loads += half * (last.loads + now.loads);
-        works.fluid_losses += half * (last.fluid + now.fluid);
-        works.solid_losses += half * (last.solid + now.solid);
-        works.slip_losses += half * (last.slip + now.slip);
+        const auto add = [&](double &work, const double a, const double b) {
+          work += 0.5 * (t - last_time) * (a + b);
+        };
+        add(works.ends, last.fluid.ends, now.fluid.ends);
+        add(works.driven_sides, last.driven_sides, now.driven_sides);
+        add(works.loads, last.loads, now.loads);
+        for (const auto part : {&FluidPowers::viscous,
+                                &FluidPowers::artificial,
+                                &FluidPowers::hourglass,
+                                &FluidPowers::checkerboard,
+                                &FluidPowers::impedance})
+          add(works.fluid.*part, last.fluid.*part, now.fluid.*part);
+        add(works.solid_losses, last.solid, now.solid);
+        add(works.slip_losses, last.slip, now.slip);
         // The multiplier stays when k changes, and lambda^2/(2 k) with it not.
         works.relaxation += 0.5 *
           (last.multiplier * (last.stiffness / now.stiffness - 1) +
            now.multiplier * (1 - now.stiffness / last.stiffness));
-        largest_input = std::max(largest_input, std::abs(works.ends));
+        largest_input =
+          std::max(largest_input, std::abs(works.ends + works.driven_sides));
       }
     else
       initial = energies(y).total();
@@ -104,12 +111,34 @@ namespace coapt
   {
     if (!(largest_input > 0))
       return 0;
-    const double input = works.ends + works.loads + works.contact +
-      works.adaptation + works.relaxation;
-    const double losses =
-      works.fluid_losses + works.solid_losses + works.slip_losses;
     const double change = energies(y).total() - initial;
-    return std::abs(input - losses - change) / largest_input;
+    return std::abs(works.input() - works.losses() - change) / largest_input;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::pair<std::string, double>>
+  EnergyAudit<dim>::entries(const Works &works, const Energies &energies)
+  {
+    return {{"work_of_ends_J", works.ends},
+            {"work_of_driven_sides_J", works.driven_sides},
+            {"work_of_loads_J", works.loads},
+            {"work_of_contact_J", works.contact},
+            {"work_of_adaptation_J", works.adaptation},
+            {"work_of_relaxation_J", works.relaxation},
+            {"losses_viscous_J", works.fluid.viscous},
+            {"losses_artificial_J", works.fluid.artificial},
+            {"losses_hourglass_J", works.fluid.hourglass},
+            {"losses_checkerboard_J", works.fluid.checkerboard},
+            {"losses_impedance_J", works.fluid.impedance},
+            {"losses_solid_J", works.solid_losses},
+            {"losses_slip_J", works.slip_losses},
+            {"energy_kinetic_fluid_J", energies.fluid_kinetic},
+            {"energy_acoustic_J", energies.acoustic},
+            {"energy_kinetic_solid_J", energies.solid_kinetic},
+            {"energy_elastic_J", energies.elastic},
+            {"energy_multiplier_J", energies.multiplier}};
   }
 
 

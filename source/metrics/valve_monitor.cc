@@ -47,20 +47,18 @@ namespace coapt
   void
   ValveMonitor::accumulate(const double t, const double *y)
   {
+    const std::vector<double> X = model.system->solid_positions(y);
     const std::vector<double> u = model.system->local_velocity(y);
     const double outflow = model.fluid->flux(ValveModel::atrial_end, u.data());
-    const std::vector<Point<3>> points =
-      model.mid_surface(model.system->solid_positions(y));
+    const std::vector<Point<3>> points = model.mid_surface(X);
     if (started)
       {
         outflow_volume += 0.5 * (t - last_time) * (last_outflow + outflow);
         total_swept += swept_volume(surface_points, points, model.surface);
       }
-    peaks.update(
-      t,
-      model.chordae->tensions(t,
-                              model.system->solid_positions(y).data(),
-                              model.system->solid_velocities(y).data()));
+    peaks.update(t,
+                 model.chordae->tensions(
+                   t, X.data(), model.system->solid_velocities(y).data()));
     largest_outflow = std::max(largest_outflow, outflow);
     started         = true;
     last_time       = t;

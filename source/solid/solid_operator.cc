@@ -11,19 +11,7 @@ namespace coapt
 {
   namespace
   {
-    using Materials = std::variant<HolzapfelGasserOgden,
-                                   Ogden,
-                                   NeoHookean,
-                                   SaintVenantKirchhoff,
-                                   TenseFibres>;
-
-    /** Whether a material exists in 3D only. */
-    template <typename Material>
-    constexpr bool is_spatial =
-      std::is_same<Material, HolzapfelGasserOgden>::value ||
-      std::is_same<Material, Ogden>::value;
-
-    Materials
+    Material
     selected_material(const SolidParameters &parameters)
     {
       parameters.check();
@@ -179,17 +167,16 @@ namespace coapt
     , volumes(signed_volumes(mesh))
     , prestretch(prestretch)
   {
-    if (dim == 2 &&
-        (std::holds_alternative<HolzapfelGasserOgden>(material) ||
-         std::holds_alternative<Ogden>(material)))
-      throw InputError("Solid/Material is " + parameters.material +
-                       ", which is available in 3D only.");
     check_volumes(mesh, volumes);
-    check_fields(fibre,
-                 prestretch,
-                 std::holds_alternative<HolzapfelGasserOgden>(material) ||
-                   std::holds_alternative<TenseFibres>(material),
-                 volumes.size());
+    std::visit(
+      [&](const auto &law) {
+        using Law = std::decay_t<decltype(law)>;
+        if (dim == 2 && is_spatial<Law>)
+          throw InputError("Solid/Material is " + parameters.material +
+                           ", which is available in 3D only.");
+        check_fields(fibre, prestretch, has_fibres<Law>, volumes.size());
+      },
+      material);
     nodal_mass = lumped_mass(mesh, volumes, density);
     cells      = partition_cells(mesh, communicator);
     batches    = build_batches(mesh, cells, fibre, prestretch);
@@ -264,10 +251,9 @@ namespace coapt
   }
 
   template <int dim>
-  template <typename Material>
+  template <typename Law>
   typename SolidOperator<dim>::StepBound
-  SolidOperator<dim>::local_step_bound(const Material &law,
-                                       const double *X) const
+  SolidOperator<dim>::local_step_bound(const Law &law, const double *X) const
   {
     StepBound bound;
     for (const CellBatch<dim> &batch : batches)

@@ -78,16 +78,9 @@ struct CoupledCase
   set_velocity(const Field &f, const Field &g = {})
   {
     const auto &at = system.layout();
-    for (unsigned int c = 0; c < fluid.n_owned_cells(); ++c)
-      for (unsigned int i = 0; i < (1 << dim); ++i)
-        if (fluid.cell(c).nodes[i] < fluid.n_owned_nodes())
-          {
-            dealii::Point<dim> x = fluid.cell(c).lower;
-            for (int d = 0; d < dim; ++d)
-              x[d] += ((i >> d) & 1) * fluid.cell(c).size;
-            for (int d = 0; d < dim; ++d)
-              y[at.velocity() + dim * fluid.cell(c).nodes[i] + d] = f(x, d);
-          }
+    for (unsigned int n = 0; n < fluid.n_owned_nodes(); ++n)
+      for (int d = 0; d < dim; ++d)
+        y[at.velocity() + dim * n + d] = f(fluid.position(n), d);
     fluid.apply_constraints(y.data() + at.velocity());
     for (unsigned int n = 0; n < at.n_solid_nodes; ++n)
       {

@@ -1,43 +1,21 @@
 // The verification files of the program on coarse meshes: observed orders,
 // exact profiles, and the frequency of a wave; and the order in time of a
 // boundary with given velocity.
-#include <coapt/base/parameter_file.h>
-#include <coapt/base/version.h>
-#include <coapt/flow/refinement_study.h>
-
-#include <sstream>
-
+#include "flow/run_study.h"
 #include "tests.h"
 
 using namespace coapt;
 
 namespace
 {
-  /** Runs a verification file at the given levels and returns its results. */
+  /** Runs a verification file at the given levels. */
   template <int dim>
   RefinementStudy<dim>
   study(const std::string &name, const std::string &levels)
   {
-    static std::ostringstream terminal;
-    static Log log(MPI_COMM_WORLD, terminal);
-    dealii::ParameterHandler prm;
-    prm.declare_entry("Task", "flow");
-    FlowParameters::declare_parameters(prm);
-    const std::string folder = parameter_files_folder() + "/verification";
-    read_parameter_file(prm, folder + "/" + name + ".prm");
-    prm.enter_subsection("Flow");
-    prm.set("Refinements", levels);
-    prm.leave_subsection();
-    prm.enter_subsection("Output");
-    prm.set("Fields interval", "0");
-    prm.leave_subsection();
-    FlowParameters parameters;
-    parameters.parse_parameters(prm);
-    RefinementStudy<dim> result(parameters, prm, folder, log, MPI_COMM_WORLD);
-    const OutputFolder output(name, true, MPI_COMM_WORLD);
-    output.create();
-    result.run(output);
-    return result;
+    return run_study<dim>(name,
+                          FlowContents::nothing,
+                          {{"Flow", "Refinements", levels}});
   }
 
   template <int dim>
@@ -57,9 +35,10 @@ namespace
           waves.last_velocity_order());
     double error[2];
     for (unsigned int i = 0; i < 2; ++i)
-      for (const auto &figure : waves.results()[i].figures)
-        if (figure.first == "pressure_1_Pa_frequency_Hz")
-          error[i] = std::abs(figure.second / (10 / std::sqrt(2.)) - 1);
+      error[i] =
+        std::abs(figure(waves.results()[i], "pressure_1_Pa_frequency_Hz") /
+                   (10 / std::sqrt(2.)) -
+                 1);
     check(name + ", frequency", error[1] < 0.01, error[1]);
     const double order = std::log2(error[0] / error[1]);
     check(name + ", order of the frequency", order > 1.8, order);

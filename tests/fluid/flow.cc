@@ -169,7 +169,8 @@ namespace
     const auto w = test.op.powers(time, test.local.data(), test.p.data());
     check_relative("plates, power",
                    w.ends,
-                   w.viscous + w.hourglass + w.checkerboard + w.impedance,
+                   w.viscous + w.artificial + w.hourglass + w.checkerboard +
+                     w.impedance,
                    1e-3);
   }
 

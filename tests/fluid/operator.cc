@@ -220,8 +220,8 @@ namespace
     const auto w      = open.op.powers(0, open.local.data(), open.p.data());
     check_relative(name("power balance", dim),
                    rate,
-                   w.ends - w.viscous - w.hourglass - w.checkerboard -
-                     w.impedance,
+                   w.ends - w.viscous - w.artificial - w.hourglass -
+                     w.checkerboard - w.impedance,
                    1e-11);
     check(name("dissipation is positive", dim),
           w.viscous > 0 && w.hourglass > 0 && w.checkerboard > 0 &&

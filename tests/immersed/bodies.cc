@@ -1,12 +1,7 @@
 // Verification files with bodies on coarse meshes: the pressures of a ring at
 // rest, a disc that keeps its area while it is carried around, and a plate that
 // shuts a channel.
-#include <coapt/base/parameter_file.h>
-#include <coapt/base/version.h>
-#include <coapt/flow/refinement_study.h>
-
-#include <sstream>
-
+#include "flow/run_study.h"
 #include "tests.h"
 
 using namespace coapt;
@@ -20,40 +15,20 @@ namespace
         const std::string &end_time,
         const std::string &figures_from)
   {
-    static std::ostringstream terminal;
-    static Log log(MPI_COMM_WORLD, terminal);
-    dealii::ParameterHandler prm;
-    prm.declare_entry("Task", "immersed");
-    FlowParameters::declare_parameters(prm, FlowContents::bodies);
-    const std::string folder = parameter_files_folder() + "/verification";
-    read_parameter_file(prm, folder + "/" + name + ".prm");
-    prm.enter_subsection("Flow");
-    prm.set("Refinements", levels);
-    prm.set("Figures from", figures_from);
-    prm.leave_subsection();
-    prm.enter_subsection("Time");
-    prm.set("End time", end_time);
-    prm.leave_subsection();
-    prm.enter_subsection("Output");
-    prm.set("Fields interval", "0");
-    prm.leave_subsection();
-    FlowParameters parameters;
-    parameters.immersed.emplace();
-    parameters.parse_parameters(prm);
-    RefinementStudy<2> result(parameters, prm, folder, log, MPI_COMM_WORLD);
-    const OutputFolder output(name, true, MPI_COMM_WORLD);
-    output.create();
-    result.run(output);
-    return result.results();
+    return run_study<2>(name,
+                        FlowContents::bodies,
+                        {{"Flow", "Refinements", levels},
+                         {"Flow", "Figures from", figures_from},
+                         {"Time", "End time", end_time}})
+      .results();
   }
 
-  double
-  figure(const FlowResult &result, const std::string &name)
+  /** What is left in the books of energy, over the work put in. */
+  void
+  check_energy(const std::string &name, const FlowResult &result)
   {
-    for (const auto &entry : result.figures)
-      if (entry.first == name)
-        return entry.second;
-    return std::nan("");
+    const double error = figure(result, "energy_error_relative_max");
+    check(name + ", energy error below 1 %", error < 0.01, error);
   }
 
   void
@@ -82,6 +57,7 @@ namespace
     check("disc, area", std::abs(change) < 5e-3, change);
     const double x = figure(runs[0], "body_1_centroid_x_m_mean");
     check("disc, moves", x < 0.55, x);
+    check_energy("disc", runs[0]);
   }
 
   void
@@ -90,6 +66,7 @@ namespace
     const auto runs   = study("plate_2d", "0", "40e-3", "35e-3");
     const double leak = figure(runs[0], "leak_m3_per_s_mean") / 20e-3;
     check("plate, leak below 0.1 mm/s", std::abs(leak) < 0.1e-3, leak);
+    check_energy("plate", runs[0]);
   }
 } // namespace
 

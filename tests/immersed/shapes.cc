@@ -1,5 +1,6 @@
 // Bodies of simple shape: volumes, orientation, faces.
 #include <coapt/geometry/body_shapes.h>
+#include <coapt/geometry/surface_distance.h>
 
 #include <functional>
 #include <map>
@@ -117,6 +118,42 @@ namespace
                    middle * depth,
                    1e-12);
   }
+
+  /** The points of a box 1 long, 0.2 thick and 0.5 wide that are 0.05 away
+   * from all of its sides. */
+  template <int dim>
+  void
+  check_margin(const std::string &name)
+  {
+    StripShape<dim> shape;
+    shape.begin                 = Point<2>(0, 0.1);
+    shape.end                   = Point<2>(1, 0.1);
+    shape.thickness             = Tensor<1, 2>({0., 0.2});
+    shape.z_upper               = 0.5;
+    const ShapedBody<dim> strip = strip_body(shape, 0.1);
+    const auto samples          = simplex_lattice(strip.mesh, 0.03);
+    const double upper[]        = {1, 0.2, 0.5};
+    const double margin         = 0.05;
+    unsigned int expected       = 0;
+    for (const auto &sample : samples)
+      {
+        double distance = 1;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            double x = 0;
+            for (unsigned int a = 0; a <= dim; ++a)
+              x += sample.barycentric[a] *
+                strip.mesh.points[strip.mesh.cells[sample.cell][a]][d];
+            distance = std::min({distance, x, upper[d] - x});
+          }
+        expected += distance >= margin;
+      }
+    const unsigned int n =
+      away_from_surface(strip.mesh, samples, margin).size();
+    check(name + ", points away from the surface",
+          n == expected && n > 0 && n < samples.size(),
+          n);
+  }
 } // namespace
 
 int
@@ -128,4 +165,6 @@ main(int argc, char *argv[])
   check_strip<2>("strip, thickness against x", -1);
   check_strip<3>("plate", 1);
   check_strip<3>("plate, thickness against x", -1);
+  check_margin<2>("strip");
+  check_margin<3>("plate");
 }

@@ -159,6 +159,11 @@ namespace coapt
     double
     load_power(const double t, const double *y) const;
 
+    /** Power (W) of what drives the fluid nodes with a given velocity: of
+     * their inertia less the forces of fluid and bodies on them. Collective. */
+    double
+    driving_power(const double t, const double *y) const;
+
   private:
     void
     update_layout();

@@ -40,11 +40,18 @@ namespace coapt
       return flow_level > lumen_level;
     }
 
+    /** Edge of a cell of the @p level (m). */
+    double
+    cell_size(const unsigned int level) const
+    {
+      return coarse_cell / (1u << level);
+    }
+
     /** Edge of the finest cell (m). */
     double
     finest_cell() const
     {
-      return coarse_cell / (1u << leaflet_level);
+      return cell_size(leaflet_level);
     }
 
     /** Declares the parameters. */

@@ -5,6 +5,7 @@
 #include <coapt/flow/flow_model.h>
 #include <coapt/geometry/body_shapes.h>
 #include <coapt/io/statistics.h>
+#include <coapt/metrics/energy_audit.h>
 #include <coapt/time/step_control.h>
 
 #include <deal.II/base/tensor.h>
@@ -48,11 +49,12 @@ namespace coapt
     void
     finish_step(const double t, double *y);
 
-    /** Due after each step: sums up the flow through the box. Gives coupling
-     * points that have left their rank to others and returns whether there
-     * were any, for @p y is of another length then. Collective. */
+    /** Due after each step, at time @p t: sums up the flow through the box, and
+     * now and then energies. Gives coupling points that have left their rank
+     * to others and returns whether there were any, for @p y is of another
+     * length then. Collective. */
     bool
-    follow(std::vector<double> &y);
+    follow(const double t, std::vector<double> &y);
 
     /** Limits of the step of all parts. Collective. */
     std::vector<StepLimit>
@@ -89,6 +91,14 @@ namespace coapt
     ShapedBody<dim>
     make_bodies();
 
+    /** Where the bodies are coupled with the fluid. Throws InputError if
+     * nothing is left of a body. */
+    std::vector<SamplePoint<dim>>
+    coupling_lattice() const;
+
+    void
+    add_damping();
+
     std::vector<bool>
     held_nodes() const;
 
@@ -108,6 +118,10 @@ namespace coapt
     void
     add_leak(Row &row, const double interval, const std::vector<double> &X);
 
+    /** Samples the powers. */
+    void
+    take_audit(const double t, const double *y);
+
     void
     measure_force(const double interval, const std::vector<double> &V);
 
@@ -123,13 +137,15 @@ namespace coapt
     CouplingPoints<dim> points;
     Timing timing;
     CoupledSystem<dim> system;
+    EnergyAudit<dim> audit;
     std::vector<MaterialPoint> displacement_points;
     std::vector<double> initial_volumes; // of the bodies
 
-    double step_length = 0;
-    double last_sample = 0; // time
-    double outflow     = 0; // since the last sample, m^3
-    double last_volume = 0; // behind the strips
+    unsigned int steps_since_audit = 0;
+    double step_length             = 0;
+    double last_sample             = 0; // time
+    double outflow                 = 0; // since the last sample, m^3
+    double last_volume             = 0; // behind the strips
     dealii::Tensor<1, dim> mean_force, last_momentum;
     std::vector<std::pair<double, std::string>> field_files;
   };

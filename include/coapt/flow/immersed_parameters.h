@@ -38,6 +38,14 @@ namespace coapt
     /** Edges of the elements over those of the smallest fluid cells. */
     double element_size = 1;
 
+    /** Width of the margin inside of the bodies' surfaces that is not coupled,
+     * over the edge of the smallest fluid cells. */
+    double margin = 0;
+
+    /** Rate (1/s) at which the bodies' velocities would decay by a drag in
+     * proportion to their mass; it leads to a steady state. */
+    double damping_rate = 0;
+
     /** Expression in the reference coordinates, positive where nodes of the
      * bodies are held; empty for none. */
     std::string held;

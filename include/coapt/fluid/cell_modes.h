@@ -1,19 +1,14 @@
 #ifndef coapt_fluid_cell_modes_h
 #define coapt_fluid_cell_modes_h
 
-#include <cmath>
+#include <coapt/base/eight_doubles.h>
 
-#ifdef __AVX512F__
-#  include <immintrin.h>
-#endif
+#include <cmath>
 
 namespace coapt
 {
   namespace internal
   {
-    /** Eight numbers, one a cell, that are worked on together. */
-    typedef double EightDoubles __attribute__((vector_size(64)));
-
     /** x = sqrt(x). */
     inline void
     take_square_root(double &x)

@@ -25,8 +25,10 @@ namespace coapt
    * alone changes at the rate ends - (sum of the others). */
   struct FluidPowers
   {
-    /** Dissipation by viscosity and artificial viscosity. */
+    /** Dissipation by viscosity. */
     double viscous = 0;
+    /** Dissipation by artificial viscosity. */
+    double artificial = 0;
     /** Dissipation by the hourglass damping. */
     double hourglass = 0;
     /** Dissipation by the checkerboard filter. */
@@ -180,6 +182,11 @@ namespace coapt
     bool
     is_constrained_node(const unsigned int local_node) const;
 
+    /** Whether a node follows a given velocity; a hanging node: whether all of
+     * its masters do. */
+    bool
+    is_driven_node(const unsigned int local_node) const;
+
     /** Position (m) of an owned node. */
     const dealii::Point<dim> &
     position(const unsigned int owned_node) const;
@@ -311,6 +318,7 @@ namespace coapt
     std::vector<dealii::Point<dim>> node_position; // owned nodes
     std::array<std::vector<Face>, 2 * dim> faces;
     PrescribedVelocity<dim> prescribed;
+    std::vector<bool> driven; // local nodes, follow the given velocity
     internal::CellKernel<dim> kernel;
     CheckerboardFilter<dim> filter;
     double smallest_size = 0;

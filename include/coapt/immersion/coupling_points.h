@@ -48,9 +48,11 @@ namespace coapt
     /**
      * Recomputes cells and weights for the nodal positions @p X (m) and sets
      * the multiplier of points without a free fluid node to zero. Weights of
-     * fully constrained fluid nodes are zeroed and the others rescaled to sum
+     * fluid nodes held at rest are zeroed and the others rescaled to sum
      * one; without this, the multiplier integrates against nodes that cannot
-     * follow, and a leaflet that slides along a wall is glued to it.
+     * follow, and a leaflet that slides along a wall is glued to it. Nodes
+     * that follow a given velocity take part, so that a body feels a moving
+     * wall; what they get of its force goes to the wall.
      *
      * Returns whether all points of this rank lie in cells known to it; if
      * not on some rank, distribute() is due. Now and then puts the points,
@@ -161,6 +163,9 @@ namespace coapt
     static typename Lanes::Register
     load(const double *x);
 
+    static dealii::Point<dim>
+    to_point(const typename Lanes::Register &x);
+
     /** Copies one entry of dim numbers for each node. */
     static void
     to_lanes(const double *x, std::vector<Lanes> &result);
@@ -177,10 +182,8 @@ namespace coapt
     Stencil
     unplaced_stencil(const unsigned int id) const;
 
-    dealii::Point<dim>
-    position(const Stencil &stencil, const double *X) const;
-
-    /** Which nodes of a fluid cell are held, a bit for each. */
+    /** Which nodes of a fluid cell are held at rest, a bit for each. Nodes that
+     * follow a given velocity are not among them. */
     static unsigned char
     constrained_nodes(const FluidOperator<dim> &fluid, const int cell);
 

@@ -14,9 +14,9 @@ namespace coapt
 {
   /**
    * The folder that takes the results of one run: coapt.log, statistics.csv or
-   * study.csv, summary.json, parameters.prm, parameters-as-read.prm and fields/.
-   * Construction only looks; nothing on the disk changes before create(), so
-   * that bad input found in between leaves earlier results alone.
+   * study.csv, summary.json, parameters.prm, parameters-as-read.prm and
+   * fields/. Construction only looks; nothing on the disk changes before
+   * create(), so that bad input found in between leaves earlier results alone.
    */
   class OutputFolder
   {

@@ -3,12 +3,17 @@
 
 #include <coapt/coupled/coupled_system.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace coapt
 {
   /**
-   * Keeps the books of energy: work of the ends, of chordae and of contact =
-   * change of the kinetic, acoustic, elastic and multiplier energies +
-   * dissipation + what is left, the error. Powers are sampled and integrated
+   * Keeps the books of energy: work of the ends, of driven sides, of chordae
+   * and of contact = change of the kinetic, acoustic, elastic and multiplier
+   * energies + dissipation + what is left, the error. Powers are sampled and
+   * integrated
    * by the trapezoidal rule; the work of contact is exact, the change of the
    * kinetic energy by each impulse. All in J, over all ranks.
    */
@@ -37,14 +42,34 @@ namespace coapt
     struct Works
     {
       double ends         = 0;
+      double driven_sides = 0; // sides of the box with a given velocity
       double loads        = 0;
       double contact      = 0;
       double adaptation   = 0;
       double relaxation   = 0; // by the change of k with the step length
-      double fluid_losses = 0;
+      FluidPowers fluid;       // their time integrals; the ends as above
       double solid_losses = 0;
       double slip_losses  = 0;
+
+      /** What has been put in. */
+      double
+      input() const
+      {
+        return ends + driven_sides + loads + contact + adaptation + relaxation;
+      }
+
+      /** What has been dissipated. */
+      double
+      losses() const
+      {
+        return fluid.viscous + fluid.artificial + fluid.hourglass +
+          fluid.checkerboard + fluid.impedance + solid_losses + slip_losses;
+      }
     };
+
+    /** Names, with the unit, and values of works and energies. */
+    static std::vector<std::pair<std::string, double>>
+    entries(const Works &works, const Energies &energies);
 
     EnergyAudit(const CoupledSystem<dim> &system,
                 const FluidOperator<dim> &fluid,
@@ -81,15 +106,16 @@ namespace coapt
       return works;
     }
 
-    /** |work - change - dissipation| over the largest work of the ends so far,
-     * for the state @p y of the last sample. Collective. */
+    /** |work - change - dissipation| over the largest work of ends and driven
+     * sides so far, for the state @p y of the last sample. Collective. */
     double
     relative_error(const double *y) const;
 
   private:
     struct Powers
     {
-      double ends = 0, loads = 0, fluid = 0, solid = 0, slip = 0;
+      FluidPowers fluid;
+      double driven_sides = 0, loads = 0, solid = 0, slip = 0;
 
       // Multiplier energy and its stiffness k, which follows the step length.
       double multiplier = 0, stiffness = 0;

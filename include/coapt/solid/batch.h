@@ -1,6 +1,8 @@
 #ifndef coapt_solid_batch_h
 #define coapt_solid_batch_h
 
+#include <coapt/base/eight_doubles.h>
+
 #include <cmath>
 
 namespace coapt
@@ -8,23 +10,22 @@ namespace coapt
   /** Cells that are evaluated together. */
   constexpr unsigned int batch_size = 8;
 
-  /**
-   * One number of each cell of a batch (a vector type of GCC: arithmetic and
-   * comparison act on all entries, as does the ternary operator).
-   */
-  typedef double Batch
-    __attribute__((vector_size(batch_size * sizeof(double))));
+  /** One number of each cell of a batch. */
+  using Batch = EightDoubles;
 
-  /** The function @p f of every entry of @p x. */
-  template <typename Function>
-  inline Batch
-  for_each_entry(const Batch &x, const Function &f)
+  namespace internal
   {
-    Batch result{};
-    for (unsigned int i = 0; i < batch_size; ++i)
-      result[i] = f(x[i]);
-    return result;
-  }
+    /** Replace every entry by the function of it. @{ */
+    void
+    square_roots(Batch &x);
+    void
+    exponentials(Batch &x);
+    void
+    logarithms(Batch &x);
+    void
+    cube_roots(Batch &x);
+    /** @} */
+  } // namespace internal
 
   /** Square root. */
   inline double
@@ -37,7 +38,9 @@ namespace coapt
   inline Batch
   square_root(const Batch &x)
   {
-    return for_each_entry(x, [](const double y) { return std::sqrt(y); });
+    Batch result = x;
+    internal::square_roots(result);
+    return result;
   }
 
   /** Exponential function. */
@@ -51,7 +54,9 @@ namespace coapt
   inline Batch
   exponential(const Batch &x)
   {
-    return for_each_entry(x, [](const double y) { return std::exp(y); });
+    Batch result = x;
+    internal::exponentials(result);
+    return result;
   }
 
   /** Natural logarithm. */
@@ -65,7 +70,9 @@ namespace coapt
   inline Batch
   logarithm(const Batch &x)
   {
-    return for_each_entry(x, [](const double y) { return std::log(y); });
+    Batch result = x;
+    internal::logarithms(result);
+    return result;
   }
 
   /** Cube root. */
@@ -79,7 +86,9 @@ namespace coapt
   inline Batch
   cube_root(const Batch &x)
   {
-    return for_each_entry(x, [](const double y) { return std::cbrt(y); });
+    Batch result = x;
+    internal::cube_roots(result);
+    return result;
   }
 
   /**

@@ -30,7 +30,7 @@ namespace coapt
     Batch fibre[dim];
 
     /** Index of each node's first entry in a nodal array. */
-    unsigned int entry[dim + 1][batch_size];
+    int entry[dim + 1][batch_size];
 
     /** Numbers of the cells, and how many of them are used. */
     unsigned int cell[batch_size];
@@ -40,21 +40,17 @@ namespace coapt
     SmallMatrix<dim, Batch>
     gradient_of(const double *x) const
     {
-      alignas(Batch) double values[dim + 1][dim][batch_size];
-      for (int a = 0; a <= dim; ++a)
-        for (unsigned int lane = 0; lane < batch_size; ++lane)
-          for (int c = 0; c < dim; ++c)
-            values[a][c][lane] = x[entry[a][lane] + c];
+      Batch origin[dim], edge[dim];
       SmallMatrix<dim, Batch> G{};
-      for (int c = 0; c < dim; ++c)
+      load_nodes<dim>(x, entry[0], origin);
+      for (int a = 0; a < dim; ++a)
         {
-          const Batch &origin = reinterpret_cast<Batch &>(values[0][c]);
-          for (int a = 0; a < dim; ++a)
+          load_nodes<dim>(x, entry[a + 1], edge);
+          for (int c = 0; c < dim; ++c)
             {
-              const Batch edge =
-                reinterpret_cast<Batch &>(values[a + 1][c]) - origin;
+              edge[c] -= origin[c];
               for (int d = 0; d < dim; ++d)
-                G[c][d] += edge * gradient[a][d];
+                G[c][d] += edge[c] * gradient[a][d];
             }
         }
       return G;
@@ -67,25 +63,20 @@ namespace coapt
     void
     subtract_divergence(const SmallMatrix<dim, Batch> &P, double *f) const
     {
-      alignas(Batch) double values[dim + 1][dim][batch_size];
-      for (int c = 0; c < dim; ++c)
+      Batch force[dim], rest[dim] = {};
+      for (int a = 0; a < dim; ++a)
         {
-          Batch sum{};
-          for (int a = 0; a < dim; ++a)
-            {
-              Batch force = P[c][0] * gradient[a][0];
-              for (int d = 1; d < dim; ++d)
-                force += P[c][d] * gradient[a][d];
-              force *= volume;
-              sum += force;
-              reinterpret_cast<Batch &>(values[a + 1][c]) = force;
-            }
-          reinterpret_cast<Batch &>(values[0][c]) = -sum;
-        }
-      for (unsigned int lane = 0; lane < n_filled; ++lane)
-        for (int a = 0; a <= dim; ++a)
           for (int c = 0; c < dim; ++c)
-            f[entry[a][lane] + c] -= values[a][c][lane];
+            {
+              force[c] = -P[c][0] * gradient[a][0];
+              for (int d = 1; d < dim; ++d)
+                force[c] -= P[c][d] * gradient[a][d];
+              force[c] *= volume;
+              rest[c] -= force[c];
+            }
+          add_to_nodes<dim>(f, entry[a + 1], n_filled, force);
+        }
+      add_to_nodes<dim>(f, entry[0], n_filled, rest);
     }
 
     /** Gradients of all shape functions [node][component] (1/m). */

@@ -2,12 +2,12 @@
 #define coapt_solid_solid_operator_h
 
 #include <coapt/solid/cell_batch.h>
+#include <coapt/solid/materials/material.h>
 #include <coapt/solid/solid_parameters.h>
 
 #include <mpi.h>
 
 #include <limits>
-#include <variant>
 #include <vector>
 
 namespace coapt
@@ -130,19 +130,14 @@ namespace coapt
     with_material(const Function &f) const;
 
     /** Largest stiffness over mass of the batches of this rank. */
-    template <typename Material>
+    template <typename Law>
     StepBound
-    local_step_bound(const Material &material, const double *X) const;
+    local_step_bound(const Law &law, const double *X) const;
 
     MPI_Comm communicator;
     double density, viscosity;
     double viscous_rate;
-    std::variant<HolzapfelGasserOgden,
-                 Ogden,
-                 NeoHookean,
-                 SaintVenantKirchhoff,
-                 TenseFibres>
-      material;
+    Material material;
     std::vector<double> volumes, nodal_mass;
     std::vector<unsigned int> cells;
     std::vector<dealii::Tensor<2, dim>> prestretch;
