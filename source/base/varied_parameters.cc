@@ -72,10 +72,10 @@ namespace coapt
     parameters.clear();
     for (unsigned int i = 0; i < names.size(); ++i)
       {
-        if (names[i].compare(0, 6, "Study/") == 0 ||
+        if (names[i].empty() || names[i].compare(0, 6, "Study/") == 0 ||
             names[i] == "Output/Folder" || names[i] == "Task")
-          throw InputError("Study/Parameter = " + names[i] +
-                           " cannot be varied");
+          throw InputError("Study/Parameter names '" + names[i] +
+                           "', which cannot be varied");
         parameters.push_back({names[i], split_string_list(lists[i], ',')});
         const auto n_values = parameters.back().values.size();
         if (n_values != n_runs() || n_values == 0)
