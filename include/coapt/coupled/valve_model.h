@@ -65,6 +65,10 @@ namespace coapt
     double
     points_per_fluid_node() const;
 
+    /** Volume of the leaflet at rest (m^3). */
+    double
+    leaflet_volume() const;
+
     /** Largest distance between coupling points for the nodal positions @p X,
      * in units of the finest fluid cell. */
     double
@@ -118,6 +122,10 @@ namespace coapt
 
     void
     build_fluid();
+
+    /** Throws InputError if there would be more than can be counted. */
+    void
+    check_number_of_points() const;
 
     void
     build_coupling(Timing &timing);
