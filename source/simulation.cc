@@ -83,6 +83,7 @@ namespace coapt
       }
     recorder.finish(integrator.time(), state.data());
     const Summary summary = recorder.write_summary(cost());
+    log.line(model.division());
     log.line(timing.summary(communicator));
     return summary;
   }

@@ -356,6 +356,28 @@ namespace coapt
 
 
 
+  std::string
+  ValveModel::division() const
+  {
+    double n_fluid = 0;
+    for (unsigned int c = 0; c < fluid->n_owned_cells(); ++c)
+      n_fluid += fluid->is_active_cell(c);
+    std::ostringstream line;
+    line << "a rank:";
+    const auto add = [&](const double number, const std::string &what) {
+      const auto range =
+        dealii::Utilities::MPI::min_max_avg(number, communicator);
+      line << " " << range.min << " to " << range.max << " " << what;
+    };
+    add(n_fluid, "cells with fluid,");
+    add(points->n_owned(), "coupling points,");
+    add(solid->owned_cells().size(), "tetrahedra,");
+    add(fluid->n_local_nodes() - fluid->n_owned_nodes(), "ghost nodes");
+    return line.str();
+  }
+
+
+
   double
   ValveModel::contact_step_limit() const
   {

@@ -208,7 +208,8 @@ namespace coapt
     /** Sections of the right-hand side and of the end of a step. */
     struct Sections
     {
-      unsigned int exchange, fluid, coupling, solid, loads, contact, weights;
+      unsigned int fluid_exchange, solid_exchange, fluid, coupling, solid,
+        loads, contact, weights;
     };
 
     Timing &timing;

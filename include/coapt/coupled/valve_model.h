@@ -60,6 +60,11 @@ namespace coapt
     void
     check_resolution(Log &log) const;
 
+    /** How cells, coupling points and ghost nodes are divided among the ranks,
+     * one line. Collective. */
+    std::string
+    division() const;
+
     /** Coupling points for each fluid node that the leaflet's volume holds at
      * the finest cell (-). Below 1.5 it leaks. */
     double
