@@ -27,7 +27,8 @@ namespace coapt
     , fluid_density(fluid_density)
     , communicator(communicator)
     , timing(timing)
-    , sections({timing.section("Fluid exchange"),
+    , sections({timing.section("Waiting"),
+                timing.section("Fluid exchange"),
                 timing.section("Solid exchange"),
                 timing.section("Fluid"),
                 timing.section("Coupling"),
@@ -83,6 +84,7 @@ namespace coapt
   void
   CoupledSystem<dim>::gather_inputs(const double *y)
   {
+    wait_for_others();
     {
       const auto scope = timing.scope(sections.solid_exchange);
       nodes.gather(y + state_layout.position(), X.data());
@@ -90,6 +92,16 @@ namespace coapt
     }
     const auto scope = timing.scope(sections.fluid_exchange);
     fluid.gather(y + state_layout.velocity(), fluid_velocity.data());
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::wait_for_others() const
+  {
+    const auto scope = timing.scope(sections.waiting);
+    MPI_Barrier(communicator);
   }
 
 
@@ -152,6 +164,7 @@ namespace coapt
   void
   CoupledSystem<dim>::finish_solid(double *position_rate, double *velocity_rate)
   {
+    wait_for_others();
     const auto scope = timing.scope(sections.solid_exchange);
     nodes.sum(solid_force.data());
     const unsigned int begin = nodes.begin();
