@@ -14,14 +14,14 @@ namespace coapt
   /**
    * An estimate of the work that a cell causes, by which the octree is divided
    * among the ranks: cells with coupling points cost several times what
-   * cells of fluid alone do, and cells outside of the lumen nearly nothing.
+   * cells of fluid alone do, and cells outside of the lumen much less.
    */
   template <int dim>
   class CellWork
   {
   public:
-    /** Coupling points only lie in cells of size @p finest (m), in a box with
-     * the corner @p lower. @p lumen is the signed distance to the wall,
+    /** Coupling points in the lumen lie in cells of size @p finest (m), in a box
+     * with the corner @p lower; those in the wall are idle. @p lumen is the signed distance to the wall,
      * negative inside; empty if the whole box is lumen. */
     CellWork(const dealii::Point<dim> &lower,
              const double finest,
