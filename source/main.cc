@@ -45,14 +45,16 @@ namespace
 
 
 
+  /** Prints all parameters of the task of this name. */
   void
-  write_defaults(const std::string &task)
+  write_defaults(const std::string &task,
+                 const dealii::ParameterHandler::OutputStyle style)
   {
     dealii::ParameterHandler prm;
     const auto chosen = make_task(task); // refuses unknown names
     declare_task(prm, task);
     chosen->declare_parameters(prm);
-    prm.print_parameters(std::cout, dealii::ParameterHandler::PRM);
+    prm.print_parameters(std::cout, style);
   }
 
 
@@ -71,7 +73,11 @@ namespace
           break;
         case CommandLine::Action::write_defaults:
           if (is_first)
-            write_defaults(command.task);
+            write_defaults(command.task, dealii::ParameterHandler::PRM);
+          break;
+        case CommandLine::Action::write_json:
+          if (is_first)
+            write_defaults(command.task, dealii::ParameterHandler::JSON);
           break;
         case CommandLine::Action::version:
           if (is_first)
@@ -114,6 +120,12 @@ main(int argc, char **argv)
   catch (const NumericalError &error)
     {
       return fail(error.what(), ExitCode::numerical_failure, communicator);
+    }
+  catch (const std::bad_alloc &)
+    {
+      std::cerr << "coapt: there is not enough memory for this mesh\n"
+                << std::flush;
+      MPI_Abort(communicator, ExitCode::numerical_failure);
     }
   catch (const std::exception &error)
     {

@@ -2,13 +2,11 @@
 
 #include <coapt/base/all_finite.h>
 #include <coapt/base/exceptions.h>
-#include <coapt/base/parameter_file.h>
 #include <coapt/simulation.h>
 #include <coapt/time/stability_limit.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace coapt
 {
@@ -23,16 +21,11 @@ namespace coapt
 
 
   void
-  SimulationParameters::read(const std::string &file,
-                             dealii::ParameterHandler &prm)
+  SimulationParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
-    read_parameter_file(prm, file);
-    with_file_name(file, [&]() {
-      run.parse_parameters(prm);
-      step.parse_parameters(prm);
-      model.parse_parameters(prm);
-    });
-    model.folder = std::filesystem::path(file).parent_path().string();
+    run.parse_parameters(prm);
+    step.parse_parameters(prm);
+    model.parse_parameters(prm);
   }
 
 
@@ -64,7 +57,7 @@ namespace coapt
 
 
 
-  void
+  Summary
   Simulation::run(const OutputFolder &folder)
   {
     Recorder recorder(parameters.run, folder, model, monitor, log);
@@ -80,7 +73,7 @@ namespace coapt
     model.system->begin_step(step_control.step(parameters.run.end_time));
     integrator.start(0., state);
     record();
-    while (integrator.time() < parameters.run.end_time * (1 - 1e-9))
+    while (!is_over())
       {
         advance(std::min(parameters.run.end_time,
                          integrator.time() + parameters.run.output_interval),
@@ -89,8 +82,18 @@ namespace coapt
         record();
       }
     recorder.finish(integrator.time(), state.data());
-    recorder.write_summary(cost());
+    const Summary summary = recorder.write_summary(cost());
+    log.line(model.division());
     log.line(timing.summary(communicator));
+    return summary;
+  }
+
+
+
+  bool
+  Simulation::is_over() const
+  {
+    return parameters.run.is_over(integrator.time(), integrator.n_steps());
   }
 
 
@@ -98,7 +101,7 @@ namespace coapt
   void
   Simulation::advance(const double until, Recorder &recorder)
   {
-    while (integrator.time() < until * (1 - 1e-12))
+    while (integrator.time() < until * (1 - 1e-12) && !is_over())
       {
         prepare_step(recorder);
         const double dt  = step_control.step(until - integrator.time());

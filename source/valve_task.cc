@@ -1,7 +1,10 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/base/first_rank.h>
+#include <coapt/base/parameter_file.h>
 #include <coapt/geometry/valve_generator.h>
 #include <coapt/valve_task.h>
+
+#include <filesystem>
 
 namespace coapt
 {
@@ -9,6 +12,7 @@ namespace coapt
   ValveTask::declare_parameters(dealii::ParameterHandler &prm) const
   {
     SimulationParameters::declare_parameters(prm);
+    VariedParameters::declare_parameters(prm);
   }
 
 
@@ -16,7 +20,15 @@ namespace coapt
   const RunParameters &
   ValveTask::read(const std::string &file, dealii::ParameterHandler &prm)
   {
-    parameters.read(file, prm);
+    this->file = file;
+    this->prm  = &prm;
+    read_parameter_file(prm, file);
+    with_file_name(file, [&]() {
+      parameters.parse_parameters(prm);
+      varied.parse_parameters(prm);
+    });
+    parameters.model.folder =
+      std::filesystem::path(file).parent_path().string();
     return parameters.run;
   }
 
@@ -25,7 +37,16 @@ namespace coapt
   void
   ValveTask::build(Log &log, MPI_Comm communicator)
   {
-    simulation = std::make_unique<Simulation>(parameters, log, communicator);
+    if (varied.n_runs() == 0)
+      {
+        simulation =
+          std::make_unique<Simulation>(parameters, log, communicator);
+        return;
+      }
+    with_file_name(file, [&]() {
+      study = std::make_unique<ValveStudy>(
+        parameters, varied, *prm, log, communicator);
+    });
   }
 
 
@@ -33,7 +54,10 @@ namespace coapt
   void
   ValveTask::run(const OutputFolder &folder)
   {
-    simulation->run(folder);
+    if (study)
+      study->run(folder);
+    else
+      simulation->run(folder);
   }
 
 

@@ -26,10 +26,10 @@ namespace coapt
     static void
     declare_parameters(dealii::ParameterHandler &prm);
 
-    /** Reads the parameter file @p file into @p prm and from there. Throws
-     * InputError with the file, the parameter and what is allowed. */
+    /** Reads them. Throws InputError with the parameter and what is
+     * allowed. */
     void
-    read(const std::string &file, dealii::ParameterHandler &prm);
+    parse_parameters(dealii::ParameterHandler &prm);
   };
 
   /** The closure of a valve, from rest to the end time. */
@@ -43,11 +43,15 @@ namespace coapt
                MPI_Comm communicator);
 
     /** Runs to the end time and writes into @p folder; throws
-     * NumericalError. Collective. */
-    void
+     * NumericalError. Returns the figures of the run, on the first rank.
+     * Collective. */
+    Summary
     run(const OutputFolder &folder);
 
   private:
+    bool
+    is_over() const;
+
     void
     advance(const double until, Recorder &recorder);
 

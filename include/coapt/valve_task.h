@@ -3,12 +3,14 @@
 
 #include <coapt/simulation.h>
 #include <coapt/task.h>
+#include <coapt/valve_study.h>
 
 #include <memory>
+#include <string>
 
 namespace coapt
 {
-  /** The closure of a valve. */
+  /** The closure of a valve, or a study of several. */
   class ValveTask : public Task
   {
   public:
@@ -29,7 +31,12 @@ namespace coapt
 
   private:
     SimulationParameters parameters;
+    VariedParameters varied;
+    std::string file;
+    dealii::ParameterHandler *prm = nullptr; // of read()
+    // one of them
     std::unique_ptr<Simulation> simulation;
+    std::unique_ptr<ValveStudy> study;
   };
 } // namespace coapt
 

@@ -7,6 +7,14 @@ namespace coapt
 {
   using namespace dealii;
 
+  bool
+  RunParameters::is_over(const double t, const unsigned long steps) const
+  {
+    return t >= end_time * (1 - 1e-9) || (max_steps > 0 && steps >= max_steps);
+  }
+
+
+
   void
   RunParameters::declare_parameters(ParameterHandler &prm)
   {
@@ -18,6 +26,11 @@ namespace coapt
                       Patterns::Tools::to_string(defaults.end_time),
                       Patterns::Double(least, 100.),
                       "Time at which the run ends (s); it starts at 0.");
+    prm.declare_entry("Largest number of steps",
+                      "0",
+                      Patterns::Integer(0),
+                      "Steps after which the run ends even before the end "
+                      "time, to try a file out (-); 0 for no such end.");
     prm.leave_subsection();
 
     prm.enter_subsection("Output");
@@ -51,7 +64,8 @@ namespace coapt
   RunParameters::parse_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Time");
-    end_time = prm.get_double("End time");
+    end_time  = prm.get_double("End time");
+    max_steps = prm.get_integer("Largest number of steps");
     prm.leave_subsection();
 
     prm.enter_subsection("Output");

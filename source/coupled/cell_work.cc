@@ -45,8 +45,8 @@ namespace coapt
   unsigned int
   CellWork<dim>::operator()(const Point<dim> &center, const double size) const
   {
-    // Only their ratios matter; integrator and exchange are included.
-    const unsigned int of_cell = 40, of_idle_cell = 5, of_point = 45;
+    // Only their ratios matter; shares of integrator and exchange included.
+    const unsigned int of_cell = 40, of_idle_cell = 12, of_point = 31;
     if (lumen && lumen(center) > 0.5 * std::sqrt(double(dim)) * size)
       return of_idle_cell;
     if (size > 1.5 * finest)

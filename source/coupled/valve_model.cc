@@ -123,8 +123,26 @@ namespace coapt
 
 
   void
+  ValveModel::check_number_of_points() const
+  {
+    const double h = parameters.mesh.finest_cell();
+    const double n =
+      leaflet_volume() / std::pow(parameters.coupling.spacing * h, 3);
+    if (n < std::ldexp(1., 31))
+      return;
+    std::ostringstream text;
+    text << "Mesh: Coarse cell and Leaflet level make cells of " << 1e3 * h
+         << " mm, which ask for about " << n
+         << " coupling points; allowed are less than 2^31";
+    throw InputError(text.str());
+  }
+
+
+
+  void
   ValveModel::build_coupling(Timing &timing)
   {
+    check_number_of_points();
     points = std::make_unique<CouplingPoints<3>>(
       leaflet.mesh,
       leaflet_lattice(leaflet,
@@ -274,13 +292,21 @@ namespace coapt
 
 
   double
-  ValveModel::points_per_fluid_node() const
+  ValveModel::leaflet_volume() const
   {
     double volume = 0;
     for (const double mass : solid->mass())
       volume += mass / parameters.solid.density;
+    return volume;
+  }
+
+
+
+  double
+  ValveModel::points_per_fluid_node() const
+  {
     return points->n_points() * std::pow(parameters.mesh.finest_cell(), 3) /
-      volume;
+      leaflet_volume();
   }
 
 
@@ -326,6 +352,28 @@ namespace coapt
   ValveModel::n_active_cells() const
   {
     return fluid->n_active_cells();
+  }
+
+
+
+  std::string
+  ValveModel::division() const
+  {
+    double n_fluid = 0;
+    for (unsigned int c = 0; c < fluid->n_owned_cells(); ++c)
+      n_fluid += fluid->is_active_cell(c);
+    std::ostringstream line;
+    line << "a rank:";
+    const auto add = [&](const double number, const std::string &what) {
+      const auto range =
+        dealii::Utilities::MPI::min_max_avg(number, communicator);
+      line << " " << range.min << " to " << range.max << " " << what;
+    };
+    add(n_fluid, "cells with fluid,");
+    add(points->n_owned(), "coupling points,");
+    add(solid->owned_cells().size(), "tetrahedra,");
+    add(fluid->n_local_nodes() - fluid->n_owned_nodes(), "ghost nodes");
+    return line.str();
   }
 
 

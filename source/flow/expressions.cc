@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <regex>
+#include <set>
 #include <sstream>
 
 namespace coapt
@@ -51,6 +53,18 @@ namespace coapt
       std::streambuf *before;
     };
 
+    /** Throws InputError unless the constant can be called @p name. */
+    void
+    check_name(const std::string &parameter, const std::string &name)
+    {
+      static const std::regex allowed("[A-Za-z_][A-Za-z_0-9]*");
+      static const std::set<std::string> taken = {"x", "y", "z", "t"};
+      if (!std::regex_match(name, allowed) || taken.count(name) > 0)
+        throw InputError(parameter + " has the name '" + name +
+                         "', expected are letters, digits and underscores, "
+                         "not a digit first, and not x, y, z or t");
+    }
+
     template <int dim>
     std::shared_ptr<FunctionParser<dim>>
     make_parser(const std::string &parameter,
@@ -79,6 +93,11 @@ namespace coapt
         {
           throw InputError(parameter + " = " + text +
                            " cannot be read: " + objection(exception));
+        }
+      catch (...)
+        {
+          // muParser's own exception, which is no std::exception
+          throw InputError(parameter + " = " + text + " cannot be read");
         }
       return parser;
     }
@@ -136,6 +155,7 @@ namespace coapt
         if (parts.size() != 2)
           throw InputError(parameter + " has the entry '" + entry +
                            "', expected is name = expression");
+        check_name(parameter, parts[0]);
         known[parts[0]] =
           scalar_field<2>(parameter, parts[1], known)(Point<2>(), 0.);
       }

@@ -5,6 +5,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
+#include <cmath>
 #include <map>
 
 namespace coapt
@@ -17,6 +18,9 @@ namespace coapt
   {
     const std::array<std::string, 6> side_names = {
       {"x lower", "x upper", "y lower", "y upper", "z lower", "z upper"}};
+
+    /** The range of the numbers that count them. */
+    const double max_number_of_cells = std::ldexp(1., 31);
 
     const std::map<std::string, FluidBoundary> boundary_kinds = {
       {"no-slip", FluidBoundary::no_slip},
@@ -51,6 +55,33 @@ namespace coapt
       if (radius > 0 && center.size() != 2)
         throw InputError(name + " has " + std::to_string(center.size()) +
                          " coordinate(s), expected are 2 (x and y)");
+    }
+
+    /** Throws InputError unless the box has an inside and a number of cells
+     * that can be counted. */
+    void
+    check_box(const FlowParameters &parameters)
+    {
+      double n_coarse = 1;
+      for (unsigned int d = 0; d < parameters.dimension; ++d)
+        {
+          n_coarse *= parameters.coarse_cells[d];
+          if (!(parameters.upper[d] > parameters.lower[d]))
+            throw InputError("Flow/Upper corner is " +
+                             join_numbers(parameters.upper) +
+                             " m, each coordinate must be above that of "
+                             "Flow/Lower corner, " +
+                             join_numbers(parameters.lower) + " m");
+        }
+      for (const unsigned int level : parameters.refinements)
+        {
+          const double n = std::ldexp(n_coarse, level * parameters.dimension);
+          if (n > max_number_of_cells)
+            throw InputError("Flow/Refinements has the level " +
+                             std::to_string(level) + ", which gives " +
+                             dealii::Utilities::to_string(n) +
+                             " cells, allowed are 2^31");
+        }
     }
 
     void
@@ -248,18 +279,7 @@ namespace coapt
     declare_fields(prm);
     declare_measurements(prm);
     prm.leave_subsection();
-    prm.enter_subsection("Study");
-    prm.declare_entry("Parameter",
-                      "",
-                      Anything(),
-                      "Parameter that is varied at one level of refinement, "
-                      "with its section, such as Fluid/Sound speed; empty to "
-                      "vary the level.");
-    prm.declare_entry("Values",
-                      "",
-                      List(Double(), 0, 100),
-                      "Values of the parameter, a run for each of them.");
-    prm.leave_subsection();
+    VariedParameters::declare_parameters(prm);
     if (contents == FlowContents::bodies)
       ImmersedParameters::declare_parameters(prm);
   }
@@ -296,6 +316,7 @@ namespace coapt
     patch_lower  = point_of("Patch lower corner");
     patch_upper  = point_of("Patch upper corner");
     patch_levels = prm.get_integer("Patch levels");
+    check_box(*this);
     if (!patch_lower.empty() || !patch_upper.empty())
       {
         checked_size("Flow/Patch lower corner", patch_lower, dimension);
@@ -333,14 +354,8 @@ namespace coapt
     figures_from        = prm.get_double("Figures from");
     prm.leave_subsection();
 
-    prm.enter_subsection("Study");
-    varied_parameter = prm.get("Parameter");
-    varied_values    = read_numbers("Study/Values", prm.get("Values"));
-    prm.leave_subsection();
-    if (varied_parameter.empty() != varied_values.empty())
-      throw InputError("Study/Parameter and Study/Values belong together, "
-                       "found is only one of them");
-    if (!varied_parameter.empty() && refinements.size() != 1)
+    varied.parse_parameters(prm);
+    if (varied.n_runs() > 0 && refinements.size() != 1)
       throw InputError("Study/Parameter is varied at one level, but "
                        "Flow/Refinements has " +
                        std::to_string(refinements.size()));

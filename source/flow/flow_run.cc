@@ -100,7 +100,7 @@ namespace coapt
       Row row = rows.back();
       row.insert(row.begin(), {"time_s", t});
       statistics.write_row(row);
-      const bool is_last = t >= to.end_time * (1 - 1e-9);
+      const bool is_last = to.is_over(t, integrator.n_steps());
       if (is_last || parameters.largest_errors)
         errors.take_larger(flow_errors(model, t, state.data()));
       if (to.fields_interval > 0 && (t >= next_fields * (1 - 1e-9) || is_last))
@@ -116,11 +116,14 @@ namespace coapt
       bodies->begin_step(step_control.step(to.end_time));
     integrator.start(0., state);
     record();
-    while (integrator.time() < to.end_time * (1 - 1e-9))
+    const auto is_over = [&]() {
+      return to.is_over(integrator.time(), integrator.n_steps());
+    };
+    while (!is_over())
       {
         const double until =
           std::min(to.end_time, integrator.time() + to.output_interval);
-        while (integrator.time() < until * (1 - 1e-12))
+        while (integrator.time() < until * (1 - 1e-12) && !is_over())
           advance(until - integrator.time());
         check_finite();
         record();

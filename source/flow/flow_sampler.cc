@@ -45,6 +45,16 @@ namespace coapt
       return result;
     }
 
+    template <int dim>
+    [[noreturn]] void
+    refuse(const Point<dim> &point)
+    {
+      std::ostringstream text;
+      text << "the point (" << point
+           << ") m, at which the flow is wanted, is outside of the box";
+      throw InputError(text.str());
+    }
+
     /** The point moved off the upper sides, since cells are half-open. */
     template <int dim>
     Point<dim>
@@ -56,7 +66,7 @@ namespace coapt
                             grid.upper()[d] -
                               1e-9 * (grid.upper()[d] - grid.lower()[d]));
       if (given.distance(point) > 1e-6 * grid.lower().distance(grid.upper()))
-        throw InputError("a point is outside the box");
+        refuse(given);
       return point;
     }
   } // namespace
@@ -96,7 +106,7 @@ namespace coapt
       {
         const double *value = &all[(dim + 2) * k];
         if (value[dim + 1] == 0)
-          throw InputError("a point is outside the box");
+          refuse(points[k]);
         result.velocity.emplace_back(
           dealii::ArrayView<const double>(value, dim));
         result.pressure.push_back(value[dim]);

@@ -3,6 +3,8 @@
 #include <coapt/fluid/fluid_operator.h>
 #include <coapt/fluid/state_transfer.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <deal.II/grid/grid_generator.h>
 
 #include <algorithm>
@@ -22,6 +24,13 @@ namespace coapt
     , upper_corner(upper)
     , coarse_size((upper[0] - lower[0]) / std::max(1u, coarse_cells[0]))
   {
+    double n_coarse = 1;
+    for (const unsigned int n : coarse_cells)
+      n_coarse *= n;
+    if (n_coarse > 1e7)
+      throw InputError("Fluid box: " + dealii::Utilities::to_string(n_coarse) +
+                       " coarse cells, allowed are 10^7, since every process "
+                       "keeps all of them; refine larger ones instead");
     for (unsigned int d = 0; d < dim; ++d)
       {
         const double size =

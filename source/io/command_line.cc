@@ -13,6 +13,7 @@ namespace coapt
       {"--check", Action::check},
       {"--preview", Action::preview},
       {"--write-defaults", Action::write_defaults},
+      {"--write-json", Action::write_json},
       {"--version", Action::version},
       {"--help", Action::help},
       {"-h", Action::help}};
@@ -34,7 +35,9 @@ namespace coapt
 
     const bool needs_file = result.action == Action::run ||
       result.action == Action::check || result.action == Action::preview;
-    if (result.action == Action::write_defaults && files.size() == 1)
+    const bool takes_task = result.action == Action::write_defaults ||
+      result.action == Action::write_json;
+    if (takes_task && files.size() == 1)
       {
         result.task = files.front();
         files.clear();
@@ -61,6 +64,9 @@ namespace coapt
            "coapt --write-defaults [valve|flow|immersed]\n"
            "                         prints all parameters of a task with their "
            "defaults and documentation\n"
+           "coapt --write-json [valve|flow|immersed]\n"
+           "                         the same for other programs, with the "
+           "values that are allowed\n"
            "coapt --version          prints the versions of program and "
            "libraries\n"
            "coapt --help             prints this\n"

@@ -147,15 +147,17 @@ namespace coapt
 
 
 
-  void
+  Summary
   Recorder::write_summary(const RunCost &cost) const
   {
+    if (dealii::Utilities::MPI::this_mpi_process(model.communicator) != 0)
+      return Summary();
     std::vector<std::string> warnings;
     for (const Log::Warning &warning : log.warnings())
       warnings.push_back(warning.text + " (" + std::to_string(warning.count) +
                          " times)");
-    if (dealii::Utilities::MPI::this_mpi_process(model.communicator) == 0)
-      report.summary(monitor, cost, warnings)
-        .write(folder.file("summary.json"));
+    const Summary summary = report.summary(monitor, cost, warnings);
+    summary.write(folder.file("summary.json"));
+    return summary;
   }
 } // namespace coapt

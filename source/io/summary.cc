@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
+#include <limits>
 
 namespace coapt
 {
@@ -114,6 +116,24 @@ namespace coapt
     std::find_if(entries.begin(), entries.end(), [&](const Entry &entry) {
       return entry.key == key;
     })->object = {object};
+  }
+
+
+
+  double
+  Summary::number(const std::string &key) const
+  {
+    for (const Entry &entry : entries)
+      if (entry.key == key)
+        {
+          char *end;
+          const double value = std::strtod(entry.text.c_str(), &end);
+          if (end != entry.text.c_str() && *end == '\0')
+            return value;
+          if (entry.text == "true" || entry.text == "false")
+            return entry.text == "true";
+        }
+    return std::numeric_limits<double>::quiet_NaN();
   }
 
 

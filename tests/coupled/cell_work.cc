@@ -1,5 +1,5 @@
 // Division of the octree among ranks: points count where they are, cells
-// outside of the lumen nearly nothing, and all ranks get the same work although
+// outside of the lumen much less, and all ranks get the same work although
 // all points lie in one corner, also after refinement and coarsening.
 
 #include <coapt/coupled/cell_work.h>
@@ -67,10 +67,10 @@ main(int argc, char *argv[])
   grid.refine_to(wanted);
   const double fluid = work(Point2(8.5e-3, 8.5e-3), 1e-3);
   check("a cell outside of the lumen costs little",
-        work(Point2(15.5e-3, 0.5e-3), 1e-3) < 0.2 * fluid);
+        work(Point2(15.5e-3, 0.5e-3), 1e-3) < 0.4 * fluid);
   check_relative("4 points in a cell",
                  work(Point2(0.125e-3, 0.125e-3), 0.25e-3) - fluid,
-                 4 * 45,
+                 4 * 31,
                  1e-12);
   check("ranks get the same work",
         imbalance(grid, work) < 1.1,

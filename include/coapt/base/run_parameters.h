@@ -16,6 +16,9 @@ namespace coapt
     /** The run covers the times from 0 to this (s). */
     double end_time = 0.1;
 
+    /** Steps after which it ends even before that, zero for no such end. */
+    unsigned long max_steps = 0;
+
     /** Time between two rows of the statistics (s). */
     double output_interval = 1e-3;
 
@@ -27,6 +30,11 @@ namespace coapt
 
     /** Whether the folder may hold the results of an earlier run. */
     bool overwrite = false;
+
+    /** Whether a run that has come to time @p t (s) in @p steps steps is at
+     * its end. */
+    bool
+    is_over(const double t, const unsigned long steps) const;
 
     /** Declares all parameters with their defaults. */
     static void

@@ -14,7 +14,7 @@ namespace coapt
   /**
    * An estimate of the work that a cell causes, by which the octree is divided
    * among the ranks: cells with coupling points cost several times what
-   * cells of fluid alone do, and cells outside of the lumen nearly nothing.
+   * cells of fluid alone do, and cells outside of the lumen much less.
    */
   template <int dim>
   class CellWork

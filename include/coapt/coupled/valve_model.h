@@ -60,10 +60,19 @@ namespace coapt
     void
     check_resolution(Log &log) const;
 
+    /** How cells, coupling points and ghost nodes are divided among the ranks,
+     * one line. Collective. */
+    std::string
+    division() const;
+
     /** Coupling points for each fluid node that the leaflet's volume holds at
      * the finest cell (-). Below 1.5 it leaks. */
     double
     points_per_fluid_node() const;
+
+    /** Volume of the leaflet at rest (m^3). */
+    double
+    leaflet_volume() const;
 
     /** Largest distance between coupling points for the nodal positions @p X,
      * in units of the finest fluid cell. */
@@ -118,6 +127,10 @@ namespace coapt
 
     void
     build_fluid();
+
+    /** Throws InputError if there would be more than can be counted. */
+    void
+    check_number_of_points() const;
 
     void
     build_coupling(Timing &timing);

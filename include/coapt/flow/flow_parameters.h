@@ -2,6 +2,7 @@
 #define coapt_flow_flow_parameters_h
 
 #include <coapt/base/run_parameters.h>
+#include <coapt/base/varied_parameters.h>
 #include <coapt/flow/expressions.h>
 #include <coapt/flow/immersed_parameters.h>
 #include <coapt/fluid/boundary_conditions.h>
@@ -109,10 +110,8 @@ namespace coapt
     /** Step over the stability limit. */
     double step_safety = 0.8;
 
-    /** Parameter ("Section/Entry") that is varied in place of the level, and
-     * its values. */
-    std::string varied_parameter;
-    std::vector<double> varied_values;
+    /** What is varied in place of the level. */
+    VariedParameters varied;
 
     /** The bodies in the fluid, if there are any. */
     std::optional<ImmersedParameters> immersed;

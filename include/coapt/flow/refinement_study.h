@@ -2,6 +2,7 @@
 #define coapt_flow_refinement_study_h
 
 #include <coapt/flow/flow_run.h>
+#include <coapt/io/study.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -12,9 +13,9 @@ namespace coapt
 {
   /**
    * A series of runs of the same flow, over levels of refinement or over the
-   * values of one parameter, with a table of cost, errors and their orders:
-   * the power of the cell size with which an error falls from the run before,
-   * or the inverse power of the varied parameter.
+   * values of parameters, with a table of cost, errors and their orders: the
+   * power of the cell size with which an error falls from the run before, or
+   * the inverse power of the first of the varied parameters.
    */
   template <int dim>
   class RefinementStudy
@@ -49,33 +50,18 @@ namespace coapt
     struct Case
     {
       std::string label;
-      double value; // level, or of the varied parameter
+      Study::Row columns; // what is special of it
       unsigned int level;
       FlowParameters parameters;
     };
 
-    using Row = std::vector<std::pair<std::string, double>>;
-
-    /** The parameters with the varied one set to @p value. */
-    FlowParameters
-    with_value(dealii::ParameterHandler &prm, const double value) const;
-
     /** Columns of study.csv of a run. */
-    Row
+    Study::Row
     row(const unsigned int i) const;
 
     /** Exponent of the change of an error since the run before. */
     double
     order(const unsigned int i, double FlowErrors::*error) const;
-
-    void
-    write_table(const std::string &file) const;
-
-    void
-    write_summary(const std::string &file) const;
-
-    void
-    print_table() const;
 
     FlowParameters parameters;
     std::vector<ReferenceValue<dim>> reference;

@@ -22,6 +22,7 @@ namespace coapt
       check,
       preview,
       write_defaults,
+      write_json,
       version,
       help
     };

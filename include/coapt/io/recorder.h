@@ -44,8 +44,9 @@ namespace coapt
     void
     finish(const double t, const double *y);
 
-    /** Writes summary.json. */
-    void
+    /** Writes summary.json and returns it; on other ranks than the first, it
+     * is empty. */
+    Summary
     write_summary(const RunCost &cost) const;
 
   private:

@@ -33,6 +33,11 @@ namespace coapt
     set(const std::string &key, const Summary &object);
     /** @} */
 
+    /** The number (or truth, as 0 or 1) of @p key; not-a-number if it is
+     * something else or has not been set. */
+    double
+    number(const std::string &key) const;
+
     /** The JSON text. */
     std::string
     json() const;

@@ -1,0 +1,58 @@
+#ifndef coapt_io_study_h
+#define coapt_io_study_h
+
+#include <coapt/base/log.h>
+#include <coapt/io/output_folder.h>
+#include <coapt/io/summary.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * A series of runs, each into a folder of its own, run_1, run_2 and so on,
+   * with a table of what they gave: study.csv and summary.json, which are kept
+   * up to date, and lines in the log at the end.
+   */
+  class Study
+  {
+  public:
+    /** Names and values of the columns; not-a-number if there is no value. */
+    using Row = std::vector<std::pair<std::string, double>>;
+
+    /** Does the run of this number (from 0) into the folder. Collective; only
+     * the row of the first rank matters. */
+    using Run = std::function<Row(const unsigned int, const OutputFolder &)>;
+
+    Study(Log &log, MPI_Comm communicator);
+
+    /** Does @p n_runs runs. The summary begins with @p header. Collective. */
+    void
+    run(const unsigned int n_runs,
+        const Run &run,
+        const Summary &header,
+        const OutputFolder &folder);
+
+  private:
+    void
+    write_table(const std::string &file) const;
+
+    void
+    write_summary(Summary summary,
+                  const unsigned int n_runs,
+                  const std::string &file) const;
+
+    /** Without the columns that are empty in the last row. */
+    void
+    print_table() const;
+
+    Log &log;
+    MPI_Comm communicator;
+    std::vector<Row> rows;
+  };
+} // namespace coapt
+
+#endif

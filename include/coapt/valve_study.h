@@ -1,0 +1,48 @@
+#ifndef coapt_valve_study_h
+#define coapt_valve_study_h
+
+#include <coapt/base/varied_parameters.h>
+#include <coapt/io/study.h>
+#include <coapt/simulation.h>
+
+#include <string>
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * Closures of a valve that differ in some parameters, such as those of its
+   * meshes, with a table of what they cost and gave: each figure with its
+   * relative change from the run before.
+   */
+  class ValveStudy
+  {
+  public:
+    /** The @p parameters have been read from @p prm. All valves are built
+     * once, so that what does not fit shows before hours of computation.
+     * Throws InputError. Collective. */
+    ValveStudy(const SimulationParameters &parameters,
+               const VariedParameters &varied,
+               dealii::ParameterHandler &prm,
+               Log &log,
+               MPI_Comm communicator);
+
+    /** Runs all, each into a folder of its own below @p folder, with a table of
+     * them there. Throws NumericalError. Collective. */
+    void
+    run(const OutputFolder &folder);
+
+  private:
+    /** Runs one; returns its columns of the table. */
+    Study::Row
+    run_one(const unsigned int i, const OutputFolder &folder);
+
+    VariedParameters varied;
+    Log &log;
+    MPI_Comm communicator;
+    std::vector<SimulationParameters> cases;
+    std::vector<Summary> results;
+  };
+} // namespace coapt
+
+#endif

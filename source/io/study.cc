@@ -1,0 +1,139 @@
+#include <deal.II/base/mpi.h>
+
+#include <coapt/base/first_rank.h>
+#include <coapt/base/version.h>
+#include <coapt/io/study.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+namespace coapt
+{
+  namespace
+  {
+    /** A number of at most @p digits digits; nothing if it is not a number. */
+    std::string
+    text_of(const double value, const int digits)
+    {
+      if (std::isnan(value))
+        return "";
+      char text[32];
+      std::snprintf(text, sizeof(text), "%.*g", digits, value);
+      return text;
+    }
+
+    /** Counts and levels are printed in full. */
+    std::string
+    cell_text(const double value)
+    {
+      return text_of(value, value == std::round(value) ? 9 : 4);
+    }
+
+    std::string
+    right_aligned(const std::string &text, const std::string &name)
+    {
+      const std::size_t width = 2 + std::max<std::size_t>(9, name.size());
+      return std::string(width - std::min(width, text.size()), ' ') + text;
+    }
+  } // namespace
+
+
+
+  Study::Study(Log &log, const MPI_Comm communicator)
+    : log(log), communicator(communicator)
+  {
+  }
+
+
+
+  void
+  Study::run(const unsigned int n_runs,
+             const Run &run,
+             const Summary &header,
+             const OutputFolder &folder)
+  {
+    rows.clear();
+    for (unsigned int i = 0; i < n_runs; ++i)
+      {
+        const OutputFolder own(folder.file("run_" + std::to_string(i + 1)),
+                               true,
+                               communicator);
+        own.create();
+        rows.push_back(run(i, own));
+        if (is_first_rank(communicator))
+          {
+            write_table(folder.file("study.csv"));
+            write_summary(header, n_runs, folder.file("summary.json"));
+          }
+      }
+    if (is_first_rank(communicator))
+      print_table();
+  }
+
+
+
+  void
+  Study::write_table(const std::string &file) const
+  {
+    std::ofstream stream(file);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        std::string header, line;
+        for (const auto &entry : rows[i])
+          {
+            header += (header.empty() ? "" : ",") + entry.first;
+            line += (line.empty() ? "" : ",") + text_of(entry.second, 9);
+          }
+        if (i == 0)
+          stream << header << '\n';
+        stream << line << '\n';
+      }
+    stream.flush();
+    if (!stream)
+      throw std::runtime_error(file + ": writing failed; is the disk full?");
+  }
+
+
+
+  void
+  Study::write_summary(Summary summary,
+                       const unsigned int n_runs,
+                       const std::string &file) const
+  {
+    summary.set("version", version());
+    summary.set("revision", revision());
+    summary.set("ranks", dealii::Utilities::MPI::n_mpi_processes(communicator));
+    summary.set("runs_planned", n_runs);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        Summary run;
+        for (const auto &entry : rows[i])
+          run.set(entry.first, entry.second);
+        summary.set("run_" + std::to_string(i + 1), run);
+      }
+    summary.write(file);
+  }
+
+
+
+  void
+  Study::print_table() const
+  {
+    std::string header;
+    std::vector<std::string> lines(rows.size());
+    for (unsigned int k = 0; k < rows.back().size(); ++k)
+      if (!std::isnan(rows.back()[k].second))
+        {
+          const std::string &name = rows.back()[k].first;
+          header += right_aligned(name, name);
+          for (unsigned int i = 0; i < rows.size(); ++i)
+            lines[i] += right_aligned(cell_text(rows[i][k].second), name);
+        }
+    log.line(header);
+    for (const std::string &line : lines)
+      log.line(line);
+  }
+} // namespace coapt

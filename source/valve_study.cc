@@ -1,0 +1,106 @@
+#include <coapt/base/exceptions.h>
+#include <coapt/io/console.h>
+#include <coapt/valve_study.h>
+
+#include <limits>
+
+namespace coapt
+{
+  namespace
+  {
+    /** What a run costs. */
+    const std::vector<std::string> costs = {"fluid_cells",
+                                            "solid_tets",
+                                            "coupling_points",
+                                            "steps",
+                                            "wall_s"};
+
+    /** What is measured of the valve. */
+    const std::vector<std::string> figures = {"sealed",
+                                              "closing_time_s",
+                                              "leak_mL_per_s",
+                                              "stress_mean_kPa",
+                                              "strain_mean",
+                                              "bulging_volume_mL",
+                                              "coaptation_area_mm2",
+                                              "coaptation_force_N",
+                                              "energy_error_relative"};
+
+    double
+    change(const double before, const double now)
+    {
+      return before == 0 ? std::numeric_limits<double>::quiet_NaN()
+                         : now / before - 1;
+    }
+  } // namespace
+
+
+
+  ValveStudy::ValveStudy(const SimulationParameters &parameters,
+                         const VariedParameters &varied,
+                         dealii::ParameterHandler &prm,
+                         Log &log,
+                         MPI_Comm communicator)
+    : varied(varied), log(log), communicator(communicator)
+  {
+    for (unsigned int i = 0; i < varied.n_runs(); ++i)
+      try
+        {
+          cases.push_back(parameters);
+          varied.with_values(prm, i, [&]() {
+            cases.back().parse_parameters(prm);
+          });
+          Simulation(cases.back(), log, communicator);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("run " + std::to_string(i + 1) + " of the study (" +
+                           varied.label(i) + "): " + error.what());
+        }
+  }
+
+
+
+  void
+  ValveStudy::run(const OutputFolder &folder)
+  {
+    Summary header;
+    header.set("task", "valve");
+    Study(log, communicator)
+      .run(
+        cases.size(),
+        [this](const unsigned int i, const OutputFolder &own) {
+          return run_one(i, own);
+        },
+        header,
+        folder);
+  }
+
+
+
+  Study::Row
+  ValveStudy::run_one(const unsigned int i, const OutputFolder &folder)
+  {
+    log.line("run " + std::to_string(i + 1) + " of " +
+             std::to_string(cases.size()) + ": " + varied.label(i));
+    Log own_log(communicator);
+    own_log.open(folder.file("coapt.log"));
+    own_log.line(Console::banner(communicator));
+    Simulation simulation(cases[i], own_log, communicator);
+    results.push_back(simulation.run(folder));
+
+    Study::Row row = varied.columns(i);
+    for (const std::string &name : costs)
+      row.emplace_back(name, results[i].number(name));
+    for (const std::string &name : figures)
+      {
+        row.emplace_back(name, results[i].number(name));
+        if (name != "sealed")
+          row.emplace_back(name + "_change",
+                           i == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                  : change(results[i - 1].number(name),
+                                           results[i].number(name)));
+      }
+    return row;
+  }
+} // namespace coapt

@@ -1,0 +1,47 @@
+# Runs tiny_study.prm of the folder SOURCE with PROGRAM on RANKS ranks in FOLDER.
+# Asserts that there is a row of study.csv, an object of summary.json and a folder
+# with complete results for each run, and that the runs differ as they should.
+cmake_minimum_required(VERSION 3.19)
+
+file(REMOVE_RECURSE ${FOLDER})
+file(COPY ${SOURCE}/tiny_study.prm DESTINATION ${FOLDER})
+execute_process(COMMAND ${MPIEXEC} -n ${RANKS} ${PROGRAM} tiny_study.prm
+  WORKING_DIRECTORY ${FOLDER}
+  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "Exit code ${code}:\n${output}")
+endif()
+if(NOT output MATCHES "run 2 of 2: Valve/Elements around 32, Mesh/Coarse cell 5, Contact/Clearance 1.25\n")
+  message(FATAL_ERROR "The second run does not say what it is:\n${output}")
+endif()
+
+file(STRINGS ${FOLDER}/results/study.csv lines)
+list(LENGTH lines n_lines)
+list(GET lines 0 header)
+if(NOT n_lines EQUAL 3 OR NOT header MATCHES "^Valve/Elements around,Mesh/Coarse cell,Contact/Clearance,fluid_cells,solid_tets,.*,stress_mean_kPa,stress_mean_kPa_change,")
+  message(FATAL_ERROR "study.csv is not as expected:\n${lines}")
+endif()
+
+file(READ ${FOLDER}/results/summary.json study)
+foreach(run 1 2)
+  foreach(file statistics.csv summary.json coapt.log)
+    if(NOT EXISTS ${FOLDER}/results/run_${run}/${file})
+      message(FATAL_ERROR "run_${run}/${file} is missing")
+    endif()
+  endforeach()
+  file(READ ${FOLDER}/results/run_${run}/summary.json own)
+  string(JSON steps GET "${study}" run_${run} steps)
+  if(NOT steps EQUAL 20)
+    message(FATAL_ERROR "run ${run} has made ${steps} steps instead of 20")
+  endif()
+  foreach(key fluid_cells solid_tets)
+    string(JSON ${key}_${run} GET "${study}" run_${run} ${key})
+    string(JSON value GET "${own}" ${key})
+    if(NOT ${key}_${run} EQUAL value)
+      message(FATAL_ERROR "${key}: ${value} in run_${run}, in the table ${${key}_${run}}")
+    endif()
+  endforeach()
+endforeach()
+if(NOT fluid_cells_1 LESS fluid_cells_2 OR NOT solid_tets_1 LESS solid_tets_2)
+  message(FATAL_ERROR "The second run is not finer:\n${study}")
+endif()
