@@ -180,35 +180,6 @@ namespace coapt
           }
       }
 
-      /** The part of a row, in grid spacings from its beginning, that may lie
-       * within the band: beside the triangle's plane, of which the row begins
-       * at the @p height and to which it has a @p slope, and in a ball around
-       * the center, from which it begins at the @p offset. */
-      std::pair<double, double>
-      reached(const double height,
-              const double slope,
-              const Triangle &triangle,
-              const Tensor<1, 3> &offset) const
-      {
-        const double radius = band + triangle.radius;
-        const double square =
-          radius * radius - offset[0] * offset[0] - offset[1] * offset[1];
-        const bool parallel = std::abs(slope) < 1e-9 * band;
-        if (square <= 0 || (parallel && std::abs(height) >= band))
-          return {0., -1.};
-        const double half               = std::sqrt(square);
-        std::pair<double, double> range = {(-half - offset[2]) / grid.spacing,
-                                           (half - offset[2]) / grid.spacing};
-        if (!parallel)
-          {
-            const auto plane =
-              std::minmax({(-band - height) / slope, (band - height) / slope});
-            range = {std::max(range.first, plane.first),
-                     std::min(range.second, plane.second)};
-          }
-        return range;
-      }
-
       /** The same for a row of points. Distances from the triangle's plane
        * and from a ball around it are lower bounds that cost little. */
       template <typename Action>
@@ -229,11 +200,7 @@ namespace coapt
         const double slope  = grid.spacing * triangle.normal[2];
         const Tensor<1, 3> offset = begin - triangle.center;
         const double across = offset[0] * offset[0] + offset[1] * offset[1];
-
-        const auto range = reached(height, slope, triangle, offset);
-        for (int l = std::max<double>(first, std::ceil(range.first));
-             l <= std::min<double>(last, std::floor(range.second));
-             ++l)
+        for (int l = first; l <= last; ++l)
           {
             const double limit = best[row + l];
             if (std::abs(height + l * slope) >= limit)
