@@ -83,6 +83,9 @@ namespace coapt
   {
     for (const auto &coordinates : parameters.pressure_points)
       pressure_points.push_back(as_point<dim>(coordinates));
+    if (!is_finite())
+      throw InputError("Flow/Initial velocity or Initial pressure is not "
+                       "finite everywhere");
     update_step_limits();
     // points outside the box are found out here
     sample();
@@ -241,14 +244,23 @@ namespace coapt
 
 
   template <int dim>
-  void
-  FlowRun<dim>::check_finite() const
+  bool
+  FlowRun<dim>::is_finite() const
   {
     double sum = 0;
     for (const double value : state)
       sum += value;
-    if (dealii::Utilities::MPI::min(std::isfinite(sum) ? 1 : 0,
-                                    model.communicator) == 1)
+    return dealii::Utilities::MPI::min(std::isfinite(sum) ? 1 : 0,
+                                       model.communicator) == 1;
+  }
+
+
+
+  template <int dim>
+  void
+  FlowRun<dim>::check_finite() const
+  {
+    if (is_finite())
       return;
     throw NumericalError(label + ": the state is not finite at t = " +
                          std::to_string(integrator.time()) + " s");

@@ -79,6 +79,10 @@ namespace coapt
     void
     add_forces(Row &row) const;
 
+    bool
+    is_finite() const;
+
+    /** Throws NumericalError if it is not. */
     void
     check_finite() const;
 
