@@ -75,6 +75,9 @@ namespace coapt
   {
     for (const auto &coordinates : parameters.pressure_points)
       pressure_points.push_back(to_point<dim>(coordinates));
+    if (!all_finite(state, model.communicator))
+      throw InputError("Flow/Initial velocity or Initial pressure is not "
+                       "finite everywhere");
     update_step_limits();
     // points outside the box are found out here
     sample();

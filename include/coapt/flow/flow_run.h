@@ -83,6 +83,7 @@ namespace coapt
     void
     add_dissipation(Row &row) const;
 
+    /** Throws NumericalError if the state is not finite. */
     void
     check_finite() const;
 
