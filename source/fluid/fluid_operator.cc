@@ -201,10 +201,8 @@ namespace coapt
   unsigned int
   FluidOperator<dim>::n_active_cells() const
   {
-    return dealii::Utilities::MPI::sum(n_owned -
-                                         static_cast<unsigned int>(
-                                           inactive.size()),
-                                       comm);
+    const unsigned int n = n_owned - inactive.size();
+    return dealii::Utilities::MPI::sum(n, comm);
   }
 
 
