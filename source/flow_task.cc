@@ -1,4 +1,3 @@
-#include <coapt/base/exceptions.h>
 #include <coapt/base/parameter_file.h>
 #include <coapt/flow_task.h>
 
@@ -28,14 +27,7 @@ namespace coapt
     this->file = file;
     this->prm  = &prm;
     read_parameter_file(prm, file);
-    try
-      {
-        parameters.parse_parameters(prm);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(file + ": " + error.what());
-      }
+    with_file_name(file, [&]() { parameters.parse_parameters(prm); });
     return parameters.run;
   }
 
@@ -46,19 +38,14 @@ namespace coapt
   {
     const std::string folder =
       std::filesystem::path(file).parent_path().string();
-    try
-      {
-        if (parameters.dimension == 2)
-          plane_study = std::make_unique<RefinementStudy<2>>(
-            parameters, *prm, folder, log, communicator);
-        else
-          space_study = std::make_unique<RefinementStudy<3>>(
-            parameters, *prm, folder, log, communicator);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(file + ": " + error.what());
-      }
+    with_file_name(file, [&]() {
+      if (parameters.dimension == 2)
+        plane_study = std::make_unique<RefinementStudy<2>>(
+          parameters, *prm, folder, log, communicator);
+      else
+        space_study = std::make_unique<RefinementStudy<3>>(
+          parameters, *prm, folder, log, communicator);
+    });
   }
 
 

@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <coapt/base/all_finite.h>
 #include <coapt/base/exceptions.h>
 #include <coapt/simulation.h>
 #include <coapt/time/stability_limit.h>
@@ -82,6 +83,7 @@ namespace coapt
       }
     recorder.finish(integrator.time(), state.data());
     const Summary summary = recorder.write_summary(cost());
+    log.line(model.division());
     log.line(timing.summary(communicator));
     return summary;
   }
@@ -212,12 +214,7 @@ namespace coapt
   void
   Simulation::check_finite(Recorder &recorder)
   {
-    // A sum is not finite if one of its terms is not.
-    double sum = 0;
-    for (const double value : state)
-      sum += value;
-    if (dealii::Utilities::MPI::min(std::isfinite(sum) ? 1 : 0, communicator) ==
-        1)
+    if (all_finite(state, communicator))
       {
         last_finite_state = state;
         last_finite_time  = integrator.time();

@@ -23,15 +23,10 @@ namespace coapt
     this->file = file;
     this->prm  = &prm;
     read_parameter_file(prm, file);
-    try
-      {
-        parameters.parse_parameters(prm);
-        varied.parse_parameters(prm);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(file + ": " + error.what());
-      }
+    with_file_name(file, [&]() {
+      parameters.parse_parameters(prm);
+      varied.parse_parameters(prm);
+    });
     parameters.model.folder =
       std::filesystem::path(file).parent_path().string();
     return parameters.run;
@@ -48,15 +43,10 @@ namespace coapt
           std::make_unique<Simulation>(parameters, log, communicator);
         return;
       }
-    try
-      {
-        study = std::make_unique<ValveStudy>(
-          parameters, varied, *prm, log, communicator);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(file + ": " + error.what());
-      }
+    with_file_name(file, [&]() {
+      study = std::make_unique<ValveStudy>(
+        parameters, varied, *prm, log, communicator);
+    });
   }
 
 

@@ -1,6 +1,8 @@
 #ifndef coapt_tests_h
 #define coapt_tests_h
 
+#include <coapt/base/exceptions.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
@@ -37,6 +39,22 @@ check_relative(const std::string &what,
   check(what,
         std::abs(value - expected) <= tolerance * std::abs(expected),
         value);
+}
+
+/** The message of the InputError that @p action throws, "none" without one. */
+template <typename Action>
+std::string
+error_of(const Action &action)
+{
+  try
+    {
+      action();
+    }
+  catch (const coapt::InputError &error)
+    {
+      return error.what();
+    }
+  return "none";
 }
 
 #endif

@@ -27,7 +27,9 @@ namespace coapt
     , fluid_density(fluid_density)
     , communicator(communicator)
     , timing(timing)
-    , sections({timing.section("Exchange"),
+    , sections({timing.section("Waiting"),
+                timing.section("Fluid exchange"),
+                timing.section("Solid exchange"),
                 timing.section("Fluid"),
                 timing.section("Coupling"),
                 timing.section("Solid"),
@@ -82,10 +84,24 @@ namespace coapt
   void
   CoupledSystem<dim>::gather_inputs(const double *y)
   {
-    const auto scope = timing.scope(sections.exchange);
-    nodes.gather(y + state_layout.position(), X.data());
-    nodes.gather(y + state_layout.solid_velocity(), V.data());
+    wait_for_others();
+    {
+      const auto scope = timing.scope(sections.solid_exchange);
+      nodes.gather(y + state_layout.position(), X.data());
+      nodes.gather(y + state_layout.solid_velocity(), V.data());
+    }
+    const auto scope = timing.scope(sections.fluid_exchange);
     fluid.gather(y + state_layout.velocity(), fluid_velocity.data());
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::wait_for_others() const
+  {
+    const auto scope = timing.scope(sections.waiting);
+    MPI_Barrier(communicator);
   }
 
 
@@ -148,7 +164,8 @@ namespace coapt
   void
   CoupledSystem<dim>::finish_solid(double *position_rate, double *velocity_rate)
   {
-    const auto scope = timing.scope(sections.exchange);
+    wait_for_others();
+    const auto scope = timing.scope(sections.solid_exchange);
     nodes.sum(solid_force.data());
     const unsigned int begin = nodes.begin();
     for (unsigned int n = 0; n < nodes.n_owned(); ++n)
@@ -167,7 +184,7 @@ namespace coapt
   void
   CoupledSystem<dim>::finish_fluid(const double t, double *acceleration)
   {
-    const auto scope = timing.scope(sections.exchange);
+    const auto scope = timing.scope(sections.fluid_exchange);
     fluid.finish(fluid_force.data(), acceleration);
     fluid.set_boundary_acceleration(t, acceleration);
   }

@@ -77,12 +77,10 @@ namespace coapt
       }
 
     largest_gradient.assign(n, 0.);
-    unsigned int n_active = 0;
     for (unsigned int c = 0; c < fluid.n_owned_cells(); ++c)
       {
         if (!fluid.is_active_cell(c))
           continue;
-        ++n_active;
         const auto &cell  = fluid.cell(c);
         Point<dim> center = cell.lower;
         for (unsigned int d = 0; d < dim; ++d)
@@ -99,8 +97,7 @@ namespace coapt
                                 largest_gradient);
 
     const double rise   = 1.2;
-    const bool too_many = dealii::Utilities::MPI::sum(n_active, communicator) >
-      parameters.max_cells;
+    const bool too_many = fluid.n_active_cells() > parameters.max_cells;
     if (too_many)
       jump *= rise;
     return too_many;

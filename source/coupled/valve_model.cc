@@ -98,6 +98,13 @@ namespace coapt
     cells[2] = cells_along(upper[2] - lower[2], h);
     grid = std::make_unique<FluidGrid<3>>(communicator, lower, upper, cells);
 
+    work = std::make_unique<CellWork<3>>(lower,
+                                         parameters.mesh.finest_cell(),
+                                         distance_to_wall());
+    grid->divide_by([this](const Point<3> &center, const double size) {
+      return (*work)(center, size);
+    });
+
     FluidBoundaries<3> boundaries;
     boundaries.type.fill(FluidBoundary::no_slip);
     boundaries.type[ventricular_end]     = FluidBoundary::pressure_end;
@@ -150,6 +157,7 @@ namespace coapt
       for (unsigned int d = 0; d < 3; ++d)
         X[3 * n + d] = leaflet.mesh.points[n][d];
     band.place(points->positions(X.data()));
+    work->place(points->positions(X.data()));
     grid->refine_to([this](const Point<3> &center, const double size) {
       return wanted_level(center, size);
     });
@@ -231,8 +239,10 @@ namespace coapt
   bool
   ValveModel::adapt(std::vector<double> &y, Log &log)
   {
-    band.place(points->positions(system->solid_positions(y.data()).data()),
-               points->positions(system->solid_velocities(y.data()).data()));
+    const std::vector<Point<3>> x =
+      points->positions(system->solid_positions(y.data()).data());
+    band.place(x, points->positions(system->solid_velocities(y.data()).data()));
+    work->place(x);
     if (parameters.mesh.follows_flow() &&
         flow_indicator.update(*grid,
                               *fluid,
@@ -341,10 +351,29 @@ namespace coapt
   unsigned int
   ValveModel::n_active_cells() const
   {
-    unsigned int n = 0;
+    return fluid->n_active_cells();
+  }
+
+
+
+  std::string
+  ValveModel::division() const
+  {
+    double n_fluid = 0;
     for (unsigned int c = 0; c < fluid->n_owned_cells(); ++c)
-      n += fluid->is_active_cell(c);
-    return dealii::Utilities::MPI::sum(n, communicator);
+      n_fluid += fluid->is_active_cell(c);
+    std::ostringstream line;
+    line << "a rank:";
+    const auto add = [&](const double number, const std::string &what) {
+      const auto range =
+        dealii::Utilities::MPI::min_max_avg(number, communicator);
+      line << " " << range.min << " to " << range.max << " " << what;
+    };
+    add(n_fluid, "cells with fluid,");
+    add(points->n_owned(), "coupling points,");
+    add(solid->owned_cells().size(), "tetrahedra,");
+    add(fluid->n_local_nodes() - fluid->n_owned_nodes(), "ghost nodes");
+    return line.str();
   }
 
 

@@ -1,3 +1,4 @@
+#include <coapt/flow/cell_interpolation.h>
 #include <coapt/flow/flow_errors.h>
 #include <coapt/flow/flow_model.h>
 
@@ -9,31 +10,11 @@
 namespace coapt
 {
   using dealii::Point;
-  using dealii::Tensor;
   using dealii::Utilities::MPI::max;
   using dealii::Utilities::MPI::sum;
 
   namespace
   {
-    /** Velocity at a point of the unit cell from its corners. */
-    template <int dim>
-    Tensor<1, dim>
-    interpolate(const typename FluidOperator<dim>::Cell &cell,
-                const Point<dim> &unit_point,
-                const std::vector<double> &velocity)
-    {
-      Tensor<1, dim> result;
-      for (unsigned int i = 0; i < (1 << dim); ++i)
-        {
-          double weight = 1;
-          for (unsigned int d = 0; d < dim; ++d)
-            weight *= ((i >> d) & 1) ? unit_point[d] : 1 - unit_point[d];
-          for (unsigned int d = 0; d < dim; ++d)
-            result[d] += weight * velocity[dim * cell.nodes[i] + d];
-        }
-      return result;
-    }
-
     /** Calls action(cell, point, unit point, volume) at all quadrature points
      * of this rank's cells. */
     template <int dim, typename Action>

@@ -1,5 +1,6 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/flow/flow_model.h>
+#include <coapt/flow/number_lists.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,16 +12,6 @@ namespace coapt
   namespace
   {
     template <int dim>
-    Point<dim>
-    to_point(const std::vector<double> &coordinates)
-    {
-      Point<dim> point;
-      for (unsigned int d = 0; d < dim; ++d)
-        point[d] = coordinates[d];
-      return point;
-    }
-
-    template <int dim>
     std::array<unsigned int, dim>
     to_array(const std::vector<unsigned int> &list)
     {
@@ -29,17 +20,41 @@ namespace coapt
       return result;
     }
 
+    /** Distance (m) of a point outwards from a circle around an axis along
+     * z. */
+    template <int dim>
+    double
+    distance_from_circle(const Point<dim> &point,
+                         const std::vector<double> &center,
+                         const double radius)
+    {
+      return std::hypot(point[0] - center[0], point[1] - center[1]) - radius;
+    }
+
     template <int dim>
     std::function<double(const Point<dim> &)>
-    distance_from_obstacle(const FlowParameters &parameters)
+    depth_in_obstacle(const FlowParameters &p)
     {
-      const double radius = parameters.obstacle_radius;
-      if (radius == 0)
+      if (p.obstacle_radius == 0)
         return {};
-      const double x = parameters.obstacle_center[0];
-      const double y = parameters.obstacle_center[1];
-      return [=](const Point<dim> &point) {
-        return radius - std::hypot(point[0] - x, point[1] - y);
+      return [center = p.obstacle_center,
+              radius = p.obstacle_radius](const Point<dim> &point) {
+        return -distance_from_circle(point, center, radius);
+      };
+    }
+
+    /** Depth (m) in the obstacle or in the wall of the tube. */
+    template <int dim>
+    std::function<double(const Point<dim> &)>
+    depth_in_walls(const FlowParameters &p)
+    {
+      const auto in_obstacle = depth_in_obstacle<dim>(p);
+      if (p.tube_radius == 0)
+        return in_obstacle;
+      return [in_obstacle, center = p.tube_center, radius = p.tube_radius](
+               const Point<dim> &point) {
+        const double in_tube = distance_from_circle(point, center, radius);
+        return in_obstacle ? std::max(in_tube, in_obstacle(point)) : in_tube;
       };
     }
   } // namespace
@@ -65,12 +80,12 @@ namespace coapt
     , initial_pressure(scalar_field<dim>("Flow/Initial pressure",
                                          p.initial_pressure,
                                          p.named_constants()))
-    , obstacle_distance(distance_from_obstacle<dim>(p))
+    , obstacle_depth(depth_in_obstacle<dim>(p))
     , octree(communicator,
              to_point<dim>(p.lower),
              to_point<dim>(p.upper),
              to_array<dim>(p.coarse_cells))
-    , op(p.fluid, boundaries(p.named_constants()), obstacle_distance)
+    , op(p.fluid, boundaries(p.named_constants()), depth_in_walls<dim>(p))
   {
     octree.refine_to([&](const Point<dim> &center, double) {
       bool in_patch = !p.patch_lower.empty();
@@ -198,18 +213,6 @@ namespace coapt
 
 
   template <int dim>
-  unsigned int
-  FlowModel<dim>::n_cells() const
-  {
-    unsigned int n = 0;
-    for (unsigned int c = 0; c < op.n_owned_cells(); ++c)
-      n += op.is_active_cell(c);
-    return dealii::Utilities::MPI::sum(n, communicator);
-  }
-
-
-
-  template <int dim>
   bool
   FlowModel<dim>::has_pressure_boundary() const
   {
@@ -225,7 +228,7 @@ namespace coapt
   const std::function<double(const Point<dim> &)> &
   FlowModel<dim>::obstacle() const
   {
-    return obstacle_distance;
+    return obstacle_depth;
   }
 
 

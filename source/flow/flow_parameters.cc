@@ -46,6 +46,17 @@ namespace coapt
               static_cast<unsigned int>(n)};
     }
 
+    /** Throws InputError unless a circle of a radius has a centre. */
+    void
+    check_plane_point(const std::string &name,
+                      const std::vector<double> &center,
+                      const double radius)
+    {
+      if (radius > 0 && center.size() != 2)
+        throw InputError(name + " has " + std::to_string(center.size()) +
+                         " coordinate(s), expected are 2 (x and y)");
+    }
+
     /** Throws InputError unless the box has an inside and a number of cells
      * that can be counted. */
     void
@@ -192,6 +203,16 @@ namespace coapt
                         "0",
                         Double(0),
                         "Radius (m) of the obstacle.");
+      prm.declare_entry("Tube centre",
+                        "",
+                        List(Double(), 0, 2),
+                        "Axis (m, x and y) of a tube along z that contains "
+                        "the fluid, in 3D; empty without one.");
+      prm.declare_entry("Tube radius",
+                        "0",
+                        Double(0),
+                        "Radius (m) of the tube: the fluid is held at nodes "
+                        "on and beyond it. The flow through it is recorded.");
       prm.declare_entry("Reference speed",
                         "0",
                         Double(0),
@@ -211,6 +232,12 @@ namespace coapt
                         "at the end time, separated by semicolons; each is "
                         "begin : end : number of points, for example "
                         "0.5, 0 : 0.5, 1 : 101 (m).");
+      prm.declare_entry("Dissipation",
+                        "false",
+                        Bool(),
+                        "Whether the powers (W) are recorded that viscosity, "
+                        "artificial viscosity, hourglass damping and "
+                        "checkerboard filter dissipate.");
       prm.declare_entry("Reference values",
                         "",
                         FileName(FileName::input),
@@ -307,10 +334,13 @@ namespace coapt
     exact_pressure    = prm.get("Exact pressure");
     obstacle_center   = point_of("Obstacle centre");
     obstacle_radius   = prm.get_double("Obstacle radius");
-    if (obstacle_radius > 0 && obstacle_center.size() != 2)
-      throw InputError("Flow/Obstacle centre has " +
-                       std::to_string(obstacle_center.size()) +
-                       " coordinate(s), expected are 2 (x and y)");
+    check_plane_point("Flow/Obstacle centre", obstacle_center, obstacle_radius);
+    tube_center = point_of("Tube centre");
+    tube_radius = prm.get_double("Tube radius");
+    check_plane_point("Flow/Tube centre", tube_center, tube_radius);
+    if (tube_radius > 0 && dimension != 3)
+      throw InputError("Flow/Tube radius is " + prm.get("Tube radius") +
+                       ", but a tube needs Flow/Dimension = 3");
     reference_speed = prm.get_double("Reference speed");
     pressure_points = read_points("Flow/Pressure points",
                                   prm.get("Pressure points"),
@@ -318,9 +348,10 @@ namespace coapt
     profiles.clear();
     for (const std::string &text : split_string_list(prm.get("Profiles"), ';'))
       profiles.push_back(line(text, dimension));
-    reference_values = prm.get("Reference values");
-    largest_errors   = prm.get("Errors") == "largest";
-    figures_from     = prm.get_double("Figures from");
+    records_dissipation = prm.get_bool("Dissipation");
+    reference_values    = prm.get("Reference values");
+    largest_errors      = prm.get("Errors") == "largest";
+    figures_from        = prm.get_double("Figures from");
     prm.leave_subsection();
 
     varied.parse_parameters(prm);

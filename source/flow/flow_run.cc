@@ -1,6 +1,8 @@
+#include <coapt/base/all_finite.h>
 #include <coapt/base/exceptions.h>
 #include <coapt/base/first_rank.h>
 #include <coapt/flow/flow_run.h>
+#include <coapt/flow/number_lists.h>
 #include <coapt/flow/signal.h>
 #include <coapt/io/console.h>
 
@@ -17,16 +19,6 @@ namespace coapt
 
   namespace
   {
-    template <int dim>
-    Point<dim>
-    as_point(const std::vector<double> &coordinates)
-    {
-      Point<dim> point;
-      for (unsigned int d = 0; d < dim; ++d)
-        point[d] = coordinates[d];
-      return point;
-    }
-
     /** Whether no figures are made of what has this name: of energies. */
     bool
     is_in_statistics_only(const std::string &name)
@@ -82,8 +74,8 @@ namespace coapt
     , start(std::chrono::steady_clock::now())
   {
     for (const auto &coordinates : parameters.pressure_points)
-      pressure_points.push_back(as_point<dim>(coordinates));
-    if (!is_finite())
+      pressure_points.push_back(to_point<dim>(coordinates));
+    if (!all_finite(state, communicator))
       throw InputError("Flow/Initial velocity or Initial pressure is not "
                        "finite everywhere");
     update_step_limits();
@@ -206,6 +198,12 @@ namespace coapt
                      fluid.largest_velocity(state.data()).speed);
     if (model.obstacle())
       add_forces(row);
+    if (parameters.tube_radius > 0)
+      row.emplace_back("flow_m3_per_s",
+                       fluid.flux(2 * dim - 1,
+                                  model.local_velocity(state.data()).data()));
+    if (parameters.records_dissipation)
+      add_dissipation(row);
     if (!pressure_points.empty())
       {
         const auto samples = sample_flow(model, state.data(), pressure_points);
@@ -244,14 +242,20 @@ namespace coapt
 
 
   template <int dim>
-  bool
-  FlowRun<dim>::is_finite() const
+  void
+  FlowRun<dim>::add_dissipation(Row &row) const
   {
-    double sum = 0;
-    for (const double value : state)
-      sum += value;
-    return dealii::Utilities::MPI::min(std::isfinite(sum) ? 1 : 0,
-                                       model.communicator) == 1;
+    const FluidPowers powers =
+      model.fluid().powers(integrator.time(),
+                           model.local_velocity(state.data()).data(),
+                           model.pressure(state.data()));
+    row.emplace_back("dissipation_W",
+                     powers.viscous + powers.artificial + powers.hourglass +
+                       powers.checkerboard);
+    row.emplace_back("viscosity_W", powers.viscous);
+    row.emplace_back("artificial_viscosity_W", powers.artificial);
+    row.emplace_back("hourglass_W", powers.hourglass);
+    row.emplace_back("checkerboard_W", powers.checkerboard);
   }
 
 
@@ -260,10 +264,9 @@ namespace coapt
   void
   FlowRun<dim>::check_finite() const
   {
-    if (is_finite())
-      return;
-    throw NumericalError(label + ": the state is not finite at t = " +
-                         std::to_string(integrator.time()) + " s");
+    if (!all_finite(state, model.communicator))
+      throw NumericalError(label + ": the state is not finite at t = " +
+                           std::to_string(integrator.time()) + " s");
   }
 
 
@@ -306,8 +309,8 @@ namespace coapt
         for (unsigned int i = 0; i < line.n_points; ++i)
           {
             const double s = i / (line.n_points - 1.);
-            points.emplace_back((1 - s) * as_point<dim>(line.begin) +
-                                s * as_point<dim>(line.end));
+            points.emplace_back((1 - s) * to_point<dim>(line.begin) +
+                                s * to_point<dim>(line.end));
           }
         const auto samples = sample_flow(model, state.data(), points);
         const std::string file =
@@ -352,7 +355,7 @@ namespace coapt
   FlowRun<dim>::result() const
   {
     FlowResult result;
-    result.cells        = model.n_cells();
+    result.cells        = model.fluid().n_active_cells();
     result.cell_size    = model.cell_size();
     result.steps        = integrator.n_steps();
     result.wall_seconds = wall_time();

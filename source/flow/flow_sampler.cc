@@ -1,4 +1,5 @@
 #include <coapt/base/exceptions.h>
+#include <coapt/flow/cell_interpolation.h>
 #include <coapt/flow/flow_model.h>
 #include <coapt/flow/flow_sampler.h>
 
@@ -91,19 +92,11 @@ namespace coapt
           continue;
         const auto &cell = fluid.cell(c);
         double *value    = &values[(dim + 2) * k];
-        value[dim + 1]   = 1;
-        for (unsigned int i = 0; i < (1 << dim); ++i)
-          {
-            double weight = 1;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                const double s = (x[d] - cell.lower[d]) / cell.size;
-                weight *= ((i >> d) & 1) ? s : 1 - s;
-              }
-            for (unsigned int d = 0; d < dim; ++d)
-              value[d] += weight * u[dim * cell.nodes[i] + d];
-            value[dim] += weight * p[dim * cell.nodes[i]];
-          }
+        const Point<dim> unit_point((x - cell.lower) / cell.size);
+        const auto velocity = interpolate<dim>(cell, unit_point, u);
+        std::copy_n(velocity.begin_raw(), dim, value);
+        value[dim]     = interpolate<dim>(cell, unit_point, p)[0];
+        value[dim + 1] = 1;
       }
     std::vector<double> all(values.size());
     dealii::Utilities::MPI::sum(values, model.communicator, all);
@@ -114,10 +107,8 @@ namespace coapt
         const double *value = &all[(dim + 2) * k];
         if (value[dim + 1] == 0)
           refuse(points[k]);
-        dealii::Tensor<1, dim> velocity;
-        for (unsigned int d = 0; d < dim; ++d)
-          velocity[d] = value[d];
-        result.velocity.push_back(velocity);
+        result.velocity.emplace_back(
+          dealii::ArrayView<const double>(value, dim));
         result.pressure.push_back(value[dim]);
       }
     return result;

@@ -1,6 +1,7 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/base/first_rank.h>
 #include <coapt/flow/immersed_bodies.h>
+#include <coapt/flow/number_lists.h>
 #include <coapt/geometry/surface_distance.h>
 #include <coapt/io/fluid_piece.h>
 #include <coapt/time/stability_limit.h>
@@ -17,19 +18,13 @@ namespace coapt
 
   namespace
   {
-    Point<2>
-    plane_point(const std::vector<double> &coordinates)
-    {
-      return {coordinates[0], coordinates[1]};
-    }
-
     template <int dim>
     StripShape<dim>
     strip_shape(const BodyParameters &body, const FlowParameters &flow)
     {
       StripShape<dim> shape;
-      shape.begin                  = plane_point(body.begin);
-      shape.end                    = plane_point(body.end);
+      shape.begin                  = to_point<2>(body.begin);
+      shape.end                    = to_point<2>(body.end);
       const Tensor<1, 2> along     = shape.end - shape.begin;
       const Tensor<1, 2> direction = body.thickness_direction.empty()
         ? Tensor<1, 2>({-along[1], along[0]})
@@ -54,9 +49,9 @@ namespace coapt
       if constexpr (dim == 2)
         {
           if (body.shape == "disc")
-            return disc_body(plane_point(body.center), body.radius, size);
+            return disc_body(to_point<2>(body.center), body.radius, size);
           if (body.shape == "ring")
-            return ring_body(plane_point(body.center),
+            return ring_body(to_point<2>(body.center),
                              body.radius,
                              body.width,
                              size);
@@ -111,11 +106,7 @@ namespace coapt
     if (parameters.immersed->damping_rate > 0)
       add_damping();
     for (const auto &coordinates : parameters.immersed->displacement_points)
-      {
-        Point<dim> point;
-        std::copy_n(coordinates.begin(), dim, point.begin_raw());
-        displacement_points.push_back(find(point));
-      }
+      displacement_points.push_back(find(to_point<dim>(coordinates)));
     for (const CellRange &range : ranges)
       initial_volumes.push_back(
         std::accumulate(solid.cell_volumes().begin() + range.first,

@@ -93,10 +93,64 @@ namespace coapt
 
 
   template <int dim>
+  bool
+  FluidGrid<dim>::is_on_side(const dealii::Point<dim> &point,
+                             const unsigned int side) const
+  {
+    const unsigned int d  = side / 2;
+    const double position = (side % 2) ? upper_corner[d] : lower_corner[d];
+    return std::abs(point[d] - position) <= 1e-6 * coarse_size;
+  }
+
+
+
+  template <int dim>
   double
   FluidGrid<dim>::cell_size(const unsigned int level) const
   {
     return coarse_size / (1u << level);
+  }
+
+
+
+  namespace
+  {
+    /** Center of the box of a cell. */
+    template <typename CellIterator>
+    auto
+    center_of(const CellIterator &cell)
+    {
+      return (cell->vertex(0) + cell->vertex(cell->n_vertices() - 1)) / 2;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  FluidGrid<dim>::divide_by(const Work &work)
+  {
+    using Octree = dealii::Triangulation<dim>;
+    octree.signals.weight.disconnect_all_slots();
+    octree.signals.weight.connect(
+      [this, work](const typename Octree::cell_iterator &cell,
+                   const typename Octree::CellStatus status) {
+        const dealii::Point<dim> center = center_of(cell);
+        const double size               = cell_size(cell->level());
+        if (status == Octree::CELL_PERSIST || status == Octree::CELL_COARSEN)
+          return work(center, size);
+        // Of a cell that is refined, deal.II asks for each child, but does not
+        // say for which.
+        unsigned int sum = 0;
+        for (unsigned int i = 0; i < (1 << dim); ++i)
+          {
+            dealii::Point<dim> child = center;
+            for (unsigned int d = 0; d < dim; ++d)
+              child[d] += ((i >> d) & 1 ? 0.25 : -0.25) * size;
+            sum += work(child, size / 2);
+          }
+        return sum >> dim;
+      });
   }
 
 
@@ -106,8 +160,7 @@ namespace coapt
   FluidGrid<dim>::flag_cells(const WantedLevel &wanted_level)
   {
     const auto wanted = [&](const auto &cell) {
-      return wanted_level((cell->vertex(0) + cell->vertex((1 << dim) - 1)) / 2,
-                          cell_size(cell->level()));
+      return wanted_level(center_of(cell), cell_size(cell->level()));
     };
     // Cells of other ranks are flagged too: deal.II takes back coarsening next
     // to cells that it believes to stay, and the result would depend on

@@ -198,6 +198,18 @@ namespace coapt
 
 
   template <int dim>
+  unsigned int
+  FluidOperator<dim>::n_active_cells() const
+  {
+    return dealii::Utilities::MPI::sum(n_owned -
+                                         static_cast<unsigned int>(
+                                           inactive.size()),
+                                       comm);
+  }
+
+
+
+  template <int dim>
   const typename FluidOperator<dim>::Cell &
   FluidOperator<dim>::cell(const unsigned int i) const
   {

@@ -63,28 +63,36 @@ namespace coapt
 
 
   template <int dim>
+  bool
+  FluidOperator<dim>::is_in_wall(const dealii::Point<dim> &x,
+                                 const FluidGrid<dim> &grid) const
+  {
+    return lumen && lumen(x) >= -1e-9 * grid.cell_size(0);
+  }
+
+
+
+  template <int dim>
   unsigned char
   FluidOperator<dim>::held_components(const dealii::Point<dim> &x,
                                       const FluidGrid<dim> &grid) const
   {
     constexpr unsigned char all = (1 << dim) - 1;
-    const double tolerance      = 1e-9 * grid.cell_size(0);
-    if (lumen && lumen(x) >= -tolerance)
+    if (is_in_wall(x, grid))
       return all;
     unsigned char result = 0;
     for (unsigned int side = 0; side < 2 * dim; ++side)
       {
-        const unsigned int d  = side / 2;
-        const double position = (side % 2) ? grid.upper()[d] : grid.lower()[d];
-        if (std::abs(x[d] - position) > 1e3 * tolerance)
+        if (!grid.is_on_side(x, side))
           continue;
+        const unsigned char normal = 1 << (side / 2);
         if (boundaries.type[side] == FluidBoundary::no_slip ||
             boundaries.type[side] == FluidBoundary::velocity)
           result = all;
         else if (boundaries.type[side] == FluidBoundary::slip)
-          result |= 1 << d;
+          result |= normal;
         else
-          result |= all & ~(1 << d);
+          result |= all & ~normal;
       }
     return result;
   }
@@ -125,19 +133,19 @@ namespace coapt
 
   template <int dim>
   bool
-  FluidOperator<dim>::is_on_side(const dealii::Point<dim> &x,
-                                 const FluidBoundary kind,
-                                 const FluidGrid<dim> &grid) const
+  FluidOperator<dim>::has_given_velocity(const dealii::Point<dim> &x,
+                                         const FluidGrid<dim> &grid) const
   {
+    bool is_given = false;
     for (unsigned int side = 0; side < 2 * dim; ++side)
-      {
-        const unsigned int d  = side / 2;
-        const double position = (side % 2) ? grid.upper()[d] : grid.lower()[d];
-        if (boundaries.type[side] == kind &&
-            std::abs(x[d] - position) <= 1e-6 * grid.cell_size(0))
-          return true;
-      }
-    return false;
+      if (grid.is_on_side(x, side))
+        {
+          if (boundaries.type[side] == FluidBoundary::no_slip)
+            return false;
+          is_given =
+            is_given || boundaries.type[side] == FluidBoundary::velocity;
+        }
+    return is_given && !is_in_wall(x, grid);
   }
 
 
@@ -150,14 +158,11 @@ namespace coapt
     std::vector<dealii::Point<dim>> positions;
     for (unsigned int i = 0; i < nodes.n_owned(); ++i)
       {
-        const dealii::Point<dim> &x = node_position[i];
-        const bool is_hanging       = mass[i] == 0;
-        if (!is_hanging && is_on_side(x, FluidBoundary::velocity, grid) &&
-            !is_on_side(x, FluidBoundary::no_slip, grid) &&
-            !(lumen && lumen(x) >= -1e-9 * grid.cell_size(0)))
+        const bool is_hanging = mass[i] == 0;
+        if (!is_hanging && has_given_velocity(node_position[i], grid))
           {
             given.push_back(i);
-            positions.push_back(x);
+            positions.push_back(node_position[i]);
           }
       }
     // two or three steps: short enough for sound of a few cells' length
@@ -244,10 +249,9 @@ namespace coapt
         faces[side].clear();
         for (unsigned int c = 0; c < n_owned; ++c)
           {
-            const double gap = upper
-              ? grid.upper()[d] - (cells[c].lower[d] + cells[c].size)
-              : cells[c].lower[d] - grid.lower()[d];
-            if (!active[c] || std::abs(gap) > 1e-3 * cells[c].size)
+            dealii::Point<dim> corner = cells[c].lower;
+            corner[d] += upper * cells[c].size;
+            if (!active[c] || !grid.is_on_side(corner, side))
               continue;
             Face face;
             face.area_per_node =

@@ -1,4 +1,5 @@
 #include <coapt/base/exceptions.h>
+#include <coapt/base/node_register.h>
 #include <coapt/fluid/node_numbering.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -255,16 +256,14 @@ namespace coapt
   void
   NodeNumbering<dim>::interpolate_hanging_nodes(double *local) const
   {
+    using Node = NodeRegister<dim>;
     for (unsigned int row = 0; row < hanging.size(); ++row)
       {
         const unsigned int begin = row_start[row], end = row_start[row + 1];
-        double sum[dim] = {};
+        typename Node::Register sum{};
         for (unsigned int m = begin; m < end; ++m)
-          for (int c = 0; c < dim; ++c)
-            sum[c] += local[dim * row_master[m] + c];
-        const double weight = 1. / (end - begin);
-        for (int c = 0; c < dim; ++c)
-          local[dim * hanging[row] + c] = weight * sum[c];
+          sum += Node::load(local + dim * row_master[m]);
+        Node::store(sum / double(end - begin), local + dim * hanging[row]);
       }
   }
 
@@ -274,19 +273,15 @@ namespace coapt
   void
   NodeNumbering<dim>::condense_hanging_nodes(double *local) const
   {
+    using Node = NodeRegister<dim>;
     for (unsigned int row = 0; row < hanging.size(); ++row)
       {
         const unsigned int begin = row_start[row], end = row_start[row + 1];
-        const double weight = 1. / (end - begin);
-        double share[dim];
-        for (int c = 0; c < dim; ++c)
-          {
-            share[c] = weight * local[dim * hanging[row] + c];
-            local[dim * hanging[row] + c] = 0;
-          }
+        double *node     = local + dim * hanging[row];
+        const auto share = Node::load(node) / double(end - begin);
+        std::fill_n(node, dim, 0.);
         for (unsigned int m = begin; m < end; ++m)
-          for (int c = 0; c < dim; ++c)
-            local[dim * row_master[m] + c] += share[c];
+          Node::add(share, local + dim * row_master[m]);
       }
   }
 

@@ -44,21 +44,8 @@ namespace coapt
 
 
   template <int dim>
-  inline typename CouplingPoints<dim>::Lanes::Register
-  CouplingPoints<dim>::load(const double *x)
-  {
-    // Entry by entry it would go through memory, and wait for it.
-    if constexpr (dim == 2)
-      return typename Lanes::Register{x[0], x[1]};
-    else
-      return typename Lanes::Register{x[0], x[1], x[2], 0.};
-  }
-
-
-
-  template <int dim>
   Point<dim>
-  CouplingPoints<dim>::to_point(const typename Lanes::Register &x)
+  CouplingPoints<dim>::to_point(const Register &x)
   {
     Point<dim> point;
     for (unsigned int d = 0; d < dim; ++d)
@@ -73,17 +60,17 @@ namespace coapt
   CouplingPoints<dim>::to_lanes(const double *x, std::vector<Lanes> &result)
   {
     for (unsigned int n = 0; n < result.size(); ++n)
-      result[n].values = load(x + dim * n);
+      result[n].values = Node::load(x + dim * n);
   }
 
 
 
   template <int dim>
-  inline typename CouplingPoints<dim>::Lanes::Register
+  inline typename CouplingPoints<dim>::Register
   CouplingPoints<dim>::solid_value(const Stencil &s,
                                    const std::vector<Lanes> &field)
   {
-    typename Lanes::Register value{};
+    Register value{};
     for (unsigned int a = 0; a < n_solid; ++a)
       value += s.solid_weights[a] * field[s.solid_nodes[a]].values;
     return value;
@@ -92,23 +79,34 @@ namespace coapt
 
 
   template <int dim>
-  [[gnu::always_inline]] inline std::array<double, CouplingPoints<dim>::n_fluid>
-  CouplingPoints<dim>::fluid_weights(const Stencil &s,
-                                     const unsigned char constrained)
+  [[gnu::always_inline]] inline typename CouplingPoints<dim>::FluidWeights
+  CouplingPoints<dim>::fluid_weights(const Stencil &s, const FluidWeights &free)
   {
-    std::array<double, n_fluid> weights;
-    weights[0] = s.scale;
+    // 1 - x at the lower nodes and x at the upper ones in each direction
+    FluidWeights weights = s.scale * free;
     for (unsigned int d = 0; d < dim; ++d)
-      for (unsigned int i = 0; i < (1u << d); ++i)
-        {
-          weights[i + (1u << d)] = s.local[d] * weights[i];
-          weights[i] -= weights[i + (1u << d)];
-        }
-    if (constrained != 0)
-      for (unsigned int i = 0; i < n_fluid; ++i)
-        if ((constrained >> i) & 1)
-          weights[i] = 0;
+      {
+        FluidWeights at_zero, slope;
+        for (unsigned int i = 0; i < n_fluid; ++i)
+          {
+            at_zero[i] = (i >> d) & 1 ? 0 : 1;
+            slope[i]   = (i >> d) & 1 ? 1 : -1;
+          }
+        weights *= at_zero + s.local[d] * slope;
+      }
     return weights;
+  }
+
+
+
+  template <int dim>
+  inline typename CouplingPoints<dim>::FluidWeights
+  CouplingPoints<dim>::free_nodes(const unsigned char constrained)
+  {
+    FluidWeights free;
+    for (unsigned int i = 0; i < n_fluid; ++i)
+      free[i] = (constrained >> i) & 1 ? 0 : 1;
+    return free;
   }
 
 
@@ -236,9 +234,11 @@ namespace coapt
     stencil.scale = 1;
     if (constrained == 0)
       return;
+    const FluidWeights weights =
+      fluid_weights(stencil, free_nodes(constrained));
     double sum = 0;
-    for (const double weight : fluid_weights(stencil, constrained))
-      sum += weight;
+    for (unsigned int i = 0; i < n_fluid; ++i)
+      sum += weights[i];
     // A point whose free weight is nearly nothing would move a far node by a
     // huge lever, so it counts as lying in the rigid wall.
     stencil.scale = sum > 1e-3 ? 1 / sum : 0.;
@@ -250,7 +250,7 @@ namespace coapt
   bool
   CouplingPoints<dim>::place(Stencil &stencil,
                              const FluidOperator<dim> &fluid,
-                             const typename Lanes::Register &x)
+                             const Register &x)
   {
     const int found = fluid.locate(to_point(x));
     if (found < 0)
@@ -332,29 +332,40 @@ namespace coapt
                                   double *solid_force,
                                   double *multiplier_rate)
   {
-    using Register = typename Lanes::Register;
     to_lanes(V, solid_input);
     std::fill(solid_output.begin(), solid_output.end(), Lanes{});
     for (const Run &run : runs)
       {
+        if (run.constrained == all_nodes)
+          {
+            std::fill(multiplier_rate + dim * run.begin,
+                      multiplier_rate + dim * run.end,
+                      0.);
+            continue;
+          }
+        const FluidWeights free = free_nodes(run.constrained);
         std::array<Register, n_fluid> u, f{};
         for (unsigned int i = 0; i < n_fluid; ++i)
-          u[i] = load(fluid_velocity + dim * run.nodes[i]);
+          u[i] = Node::load(fluid_velocity + dim * run.nodes[i]);
 
         for (unsigned int q = run.begin; q < run.end; ++q)
           {
-            const Stencil &s = stencils[q];
-            const std::array<double, n_fluid> weights =
-              fluid_weights(s, run.constrained);
-            Register slip = solid_value(s, solid_input);
-            for (unsigned int i = 0; i < n_fluid; ++i)
-              slip -= weights[i] * u[i];
+            const Stencil &s           = stencils[q];
+            const FluidWeights weights = fluid_weights(s, free);
+            // Two sums, since one would wait for each of its terms.
+            Register even{}, odd{};
+            for (unsigned int i = 0; i < n_fluid; i += 2)
+              {
+                even += weights[i] * u[i];
+                odd += weights[i + 1] * u[i + 1];
+              }
+            Register slip = solid_value(s, solid_input) - (even + odd);
             if (s.scale == 0)
               slip = Register{};
-            for (unsigned int d = 0; d < dim; ++d)
-              multiplier_rate[dim * q + d] = coefficients.stiffness * slip[d];
+            Node::store(coefficients.stiffness * slip,
+                        multiplier_rate + dim * q);
             const Register force = s.volume *
-              (load(multiplier + dim * q) + coefficients.drag * slip);
+              (Node::load(multiplier + dim * q) + coefficients.drag * slip);
             for (unsigned int i = 0; i < n_fluid; ++i)
               f[i] += weights[i] * force;
             for (unsigned int a = 0; a < n_solid; ++a)
@@ -363,12 +374,10 @@ namespace coapt
           }
 
         for (unsigned int i = 0; i < n_fluid; ++i)
-          for (unsigned int d = 0; d < dim; ++d)
-            fluid_force[dim * run.nodes[i] + d] += f[i][d];
+          Node::add(f[i], fluid_force + dim * run.nodes[i]);
       }
     for (unsigned int n = 0; n < solid_output.size(); ++n)
-      for (unsigned int d = 0; d < dim; ++d)
-        solid_force[dim * n + d] += solid_output[n].values[d];
+      Node::add(solid_output[n].values, solid_force + dim * n);
   }
 
 
@@ -385,26 +394,29 @@ namespace coapt
     to_lanes(V, solid_velocity);
     std::vector<double> sums(4, 0.);
     for (const Run &run : runs)
-      for (unsigned int q = run.begin; q < run.end; ++q)
-        {
-          const Stencil &s = stencils[q];
-          if (s.scale == 0)
-            continue;
-          const auto v       = solid_value(s, solid_velocity);
-          const auto weights = fluid_weights(s, run.constrained);
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              double slip = v[d];
-              for (unsigned int i = 0; i < n_fluid; ++i)
-                slip -= weights[i] * fluid_velocity[dim * run.nodes[i] + d];
-              const double lambda = multiplier[dim * q + d];
-              sums[0] +=
-                s.volume * lambda * lambda / (2 * coefficients.stiffness);
-              sums[1] += s.volume * coefficients.drag * slip * slip;
-              sums[2] += s.volume * slip * slip;
-            }
-          sums[3] += s.volume;
-        }
+      {
+        const FluidWeights free = free_nodes(run.constrained);
+        for (unsigned int q = run.begin; q < run.end; ++q)
+          {
+            const Stencil &s = stencils[q];
+            if (s.scale == 0)
+              continue;
+            Register slip      = solid_value(s, solid_velocity);
+            const auto weights = fluid_weights(s, free);
+            for (unsigned int i = 0; i < n_fluid; ++i)
+              slip -=
+                weights[i] * Node::load(fluid_velocity + dim * run.nodes[i]);
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                const double lambda = multiplier[dim * q + d];
+                sums[0] +=
+                  s.volume * lambda * lambda / (2 * coefficients.stiffness);
+                sums[1] += s.volume * coefficients.drag * slip[d] * slip[d];
+                sums[2] += s.volume * slip[d] * slip[d];
+              }
+            sums[3] += s.volume;
+          }
+      }
     dealii::Utilities::MPI::sum(sums, communicator, sums);
     return {sums[0], sums[1], sums[3] > 0 ? std::sqrt(sums[2] / sums[3]) : 0.};
   }
@@ -435,14 +447,17 @@ namespace coapt
     std::vector<double> coupled(dim * fluid.n_local_nodes(), 0.);
     std::vector<double> ratio(dim * fluid.n_owned_nodes());
     for (const Run &run : runs)
-      for (unsigned int q = run.begin; q < run.end; ++q)
-        {
-          const auto weights = fluid_weights(stencils[q], run.constrained);
-          for (unsigned int i = 0; i < n_fluid; ++i)
-            for (unsigned int d = 0; d < dim; ++d)
-              coupled[dim * run.nodes[i] + d] +=
-                weights[i] * stencils[q].volume * solid_density;
-        }
+      {
+        const FluidWeights free = free_nodes(run.constrained);
+        for (unsigned int q = run.begin; q < run.end; ++q)
+          {
+            const auto weights = fluid_weights(stencils[q], free);
+            for (unsigned int i = 0; i < n_fluid; ++i)
+              for (unsigned int d = 0; d < dim; ++d)
+                coupled[dim * run.nodes[i] + d] +=
+                  weights[i] * stencils[q].volume * solid_density;
+          }
+      }
     fluid.finish(coupled.data(), ratio.data());
     const double largest =
       ratio.empty() ? 0. : *std::max_element(ratio.begin(), ratio.end());

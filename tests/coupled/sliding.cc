@@ -1,6 +1,7 @@
 // Plates in a channel in 3D whose side edges slide along walls on which the
 // fluid rests: they are not held by them. A loose one moves as a piston, a
-// clamped one bends as it does in vacuum, at its sides as in its middle.
+// clamped one bends as it does in vacuum, at its sides as in its middle. A
+// rigid one that shuts the channel is tight, and leaks without the multiplier.
 
 #include "coupled_case.h"
 
@@ -119,6 +120,41 @@ namespace
                    wet.middle / dry.middle,
                    0.01);
   }
+
+  /** Flow (m/s) through a rigid plate that shuts the channel, all of whose
+   * walls slip, after @p end (s), with the coefficients @p k. */
+  double
+  velocity_through(const double pressure,
+                   const double impedance,
+                   const RelaxationCoefficients &k,
+                   const double end)
+  {
+    CoupledSetup<3> s    = plate(height, pressure, impedance);
+    s.boundaries.type[2] = s.boundaries.type[3] = FluidBoundary::slip;
+    s.pinned.assign(s.pinned.size(), true);
+    CoupledCase<3> c(s);
+    while (c.integrator.time() < end)
+      c.step(10e-6, &k);
+    return c.flow(1) / (width * height);
+  }
+
+  void
+  rigid()
+  {
+    const double p = 16e3, Z = 15900;
+    RelaxationCoefficients k = relaxation_coefficients(1060, 1060, 20e-6, 0.5);
+    const double tight       = velocity_through(p, Z, k, 8e-3);
+    k.stiffness              = 0;
+    // Darcy's law for the plate, and the impedance of both ends.
+    const double expected = p / (k.drag * thickness + 2 * Z);
+    check_relative("rigid, drag only, leak",
+                   velocity_through(p, Z, k, 8e-3),
+                   expected,
+                   0.03);
+    check("rigid, drag and multiplier, tight",
+          std::abs(tight) < 1e-4 * expected,
+          tight);
+  }
 } // namespace
 
 int
@@ -127,4 +163,5 @@ main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
   piston();
   flap();
+  rigid();
 }

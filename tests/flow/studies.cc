@@ -54,6 +54,36 @@ namespace
             result.errors.velocity_max);
   }
 
+  void
+  check_sound_speed()
+  {
+    const double order =
+      study<2>("sound_speed_strain", "4").last_velocity_order();
+    check("error by compressibility, power of the Mach number",
+          order > 1.9 && order < 2.1,
+          order);
+  }
+
+  /** The flow through a tube tells the effective radius of its staircase. */
+  void
+  check_tube()
+  {
+    const auto tube = study<3>("poiseuille_tube", "0, 1, 2");
+    double error[3];
+    for (unsigned int i = 0; i < 3; ++i)
+      for (const auto &figure : tube.results()[i].figures)
+        if (figure.first == "flow_m3_per_s_mean")
+          error[i] = std::pow(figure.second / dealii::numbers::PI, 0.25) - 1;
+    for (unsigned int i = 0; i < 3; ++i)
+      check("tube, effective radius within half a cell",
+            std::abs(error[i]) < 0.5 * tube.results()[i].cell_size,
+            error[i]);
+    // it tends to one from below
+    check("tube, order of the velocity",
+          tube.last_velocity_order() > 0.7,
+          tube.last_velocity_order());
+  }
+
   /** The state at time 1 of a box of fluid whose lid starts to move, after @p n
    * steps. The lid's speed is a cubic in time, for which the sampling of the
    * boundary velocity is exact, so that only the steps matter. */
@@ -107,7 +137,11 @@ main(int argc, char *argv[])
   check_order_in_time();
   check_order<2>("taylor_green_2d", "3, 4, 5");
   check_order<2>("taylor_green_2d_patch", "3, 4, 5");
+  check_order<3>("taylor_green_3d", "3, 4");
+  check_order<3>("taylor_green_3d_patch", "3, 4");
   check_order<3>("ethier_steinman", "2, 3");
+  check_sound_speed();
+  check_tube();
   check_wave("standing_wave_2d");
   check_wave("standing_wave_2d_patch");
 }

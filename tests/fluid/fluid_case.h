@@ -56,11 +56,9 @@ struct FluidCase
   set_velocity(const std::function<double(const Point &, int)> &f,
                const bool constrained = true)
   {
-    for (unsigned int c = 0; c < op.n_owned_cells(); ++c)
-      for (unsigned int i = 0; i < (1 << dim); ++i)
-        if (op.cell(c).nodes[i] < op.n_owned_nodes())
-          for (int d = 0; d < dim; ++d)
-            u[dim * op.cell(c).nodes[i] + d] = f(corner(op.cell(c), i), d);
+    for (unsigned int i = 0; i < op.n_owned_nodes(); ++i)
+      for (int d = 0; d < dim; ++d)
+        u[dim * i + d] = f(op.position(i), d);
     if (constrained)
       op.apply_constraints(u.data());
   }

@@ -226,6 +226,20 @@ namespace
     check(name("dissipation is positive", dim),
           w.viscous > 0 && w.hourglass > 0 && w.checkerboard > 0 &&
             w.impedance > 0);
+
+    // the same flow of a fluid without viscosity
+    FluidParameters inviscid;
+    inviscid.viscosity = 0;
+    auto thin          = make_case<dim>(inviscid, two_ends<dim>(0, 0, 0));
+    thin.set_up(around<dim>(0.012));
+    random_state(thin);
+    energy_rate(thin);
+    const auto v = thin.op.powers(0, thin.local.data(), thin.p.data());
+    check_relative(name("dissipation by artificial viscosity", dim),
+                   w.artificial,
+                   v.artificial,
+                   1e-12);
+    check(name("all of it in a fluid without viscosity", dim), v.viscous == 0);
   }
 
   template <int dim>

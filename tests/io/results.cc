@@ -1,5 +1,4 @@
 // Output folder, statistics, summary, terminal, command line.
-#include <coapt/base/exceptions.h>
 #include <coapt/base/run_parameters.h>
 #include <coapt/io/command_line.h>
 #include <coapt/io/console.h>
@@ -31,21 +30,6 @@ content(const std::string &file)
 {
   std::ifstream stream(file);
   return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
-template <typename Action>
-std::string
-error_of(const Action &action)
-{
-  try
-    {
-      action();
-    }
-  catch (const InputError &error)
-    {
-      return error.what();
-    }
-  return "none";
 }
 
 void

@@ -1,6 +1,8 @@
 #ifndef coapt_base_parameter_file_h
 #define coapt_base_parameter_file_h
 
+#include <coapt/base/exceptions.h>
+
 #include <string>
 
 namespace dealii
@@ -28,6 +30,22 @@ namespace coapt
   read_parameter_file(dealii::ParameterHandler &prm,
                       const std::string &file,
                       const UnknownEntries unknown = UnknownEntries::refuse);
+
+  /** Calls @p action and puts the name of the parameter @p file before the
+   * message of an InputError that it throws. */
+  template <typename Action>
+  void
+  with_file_name(const std::string &file, const Action &action)
+  {
+    try
+      {
+        action();
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(file + ": " + error.what());
+      }
+  }
 } // namespace coapt
 
 #endif

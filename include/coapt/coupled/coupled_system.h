@@ -168,6 +168,11 @@ namespace coapt
     void
     update_layout();
 
+    /** Separates, in the table of times, what a rank waits for others from what
+     * the exchange itself takes. */
+    void
+    wait_for_others() const;
+
     /** The terms of the right-hand side, in their order. @{ */
     void
     gather_inputs(const double *y);
@@ -208,7 +213,8 @@ namespace coapt
     /** Sections of the right-hand side and of the end of a step. */
     struct Sections
     {
-      unsigned int exchange, fluid, coupling, solid, loads, contact, weights;
+      unsigned int waiting, fluid_exchange, solid_exchange, fluid, coupling,
+        solid, loads, contact, weights;
     };
 
     Timing &timing;

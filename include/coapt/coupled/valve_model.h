@@ -6,6 +6,7 @@
 #include <coapt/base/timing.h>
 #include <coapt/chordae/chordae_network.h>
 #include <coapt/contact/mid_surface_contact.h>
+#include <coapt/coupled/cell_work.h>
 #include <coapt/coupled/coupled_system.h>
 #include <coapt/coupled/flow_indicator.h>
 #include <coapt/coupled/model_parameters.h>
@@ -58,6 +59,11 @@ namespace coapt
      */
     void
     check_resolution(Log &log) const;
+
+    /** How cells, coupling points and ghost nodes are divided among the ranks,
+     * one line. Collective. */
+    std::string
+    division() const;
 
     /** Coupling points for each fluid node that the leaflet's volume holds at
      * the finest cell (-). Below 1.5 it leaks. */
@@ -149,6 +155,7 @@ namespace coapt
 
     SolidBand<3> band;
     FlowIndicator<3> flow_indicator;
+    std::unique_ptr<CellWork<3>> work;
     std::function<void(double)> contact_work_listener;
   };
 } // namespace coapt

@@ -44,16 +44,11 @@ namespace coapt
     std::vector<double>
     nodal_forces(const double time, const double *y) const;
 
-    /** Cells that carry fluid, of all ranks. */
-    unsigned int
-    n_cells() const;
-
     /** Whether a side gives the pressure, which is unique then. */
     bool
     has_pressure_boundary() const;
 
-    /** Distance (m) from the obstacle, negative in the fluid; empty without
-     * obstacle. */
+    /** Depth (m) in the obstacle, negative outside; empty without obstacle. */
     const std::function<double(const dealii::Point<dim> &)> &
     obstacle() const;
 
@@ -90,7 +85,7 @@ namespace coapt
     unsigned int level;
     VectorField<dim> initial_velocity;
     ScalarField<dim> initial_pressure;
-    std::function<double(const dealii::Point<dim> &)> obstacle_distance;
+    std::function<double(const dealii::Point<dim> &)> obstacle_depth;
     FluidGrid<dim> octree;
     FluidOperator<dim> op;
     mutable std::vector<double> velocity, force; // local

@@ -74,6 +74,11 @@ namespace coapt
     std::vector<double> obstacle_center;
     double obstacle_radius = 0;
 
+    /** Tube along z that contains the fluid: axis in the plane, and radius
+     * (m), zero without one. */
+    std::vector<double> tube_center;
+    double tube_radius = 0;
+
     /** Speed (m/s) that makes coefficients of forces on the obstacle, zero
      * for forces. */
     double reference_speed = 0;
@@ -88,6 +93,9 @@ namespace coapt
       unsigned int n_points;
     };
     std::vector<Line> profiles;
+
+    /** Whether the powers that are dissipated are recorded. */
+    bool records_dissipation = false;
 
     /** File of velocities to compare with, empty without one. */
     std::string reference_values;

@@ -79,10 +79,10 @@ namespace coapt
     void
     add_forces(Row &row) const;
 
-    bool
-    is_finite() const;
+    /** Adds the powers that are dissipated. */
+    void
+    add_dissipation(Row &row) const;
 
-    /** Throws NumericalError if it is not. */
     void
     check_finite() const;
 

@@ -3,6 +3,8 @@
 
 #include <coapt/base/exceptions.h>
 
+#include <deal.II/base/point.h>
+
 #include <string>
 #include <vector>
 
@@ -23,6 +25,17 @@ namespace coapt
   /** "0.1, 0.2". */
   std::string
   join_numbers(const std::vector<double> &numbers);
+
+  /** The point with these coordinates, of which there are dim. */
+  template <int dim>
+  dealii::Point<dim>
+  to_point(const std::vector<double> &coordinates)
+  {
+    dealii::Point<dim> point;
+    for (unsigned int d = 0; d < dim; ++d)
+      point[d] = coordinates[d];
+    return point;
+  }
 
   /** Returns the @p list, the parameter @p name. Throws InputError unless it
    * has an entry for each dimension. */

@@ -33,6 +33,11 @@ namespace coapt
       std::function<unsigned int(const dealii::Point<dim> &center,
                                  const double size)>;
 
+    /** Work that a cell causes, in any unit, given the center of its box and
+     * its size (m). */
+    using Work = std::function<unsigned int(const dealii::Point<dim> &center,
+                                            const double size)>;
+
     /** The deepest level a cell can have. */
     static constexpr unsigned int max_level = 14;
 
@@ -62,9 +67,18 @@ namespace coapt
     const dealii::Point<dim> &
     upper() const;
 
+    /** Whether a point lies on a side of the box. */
+    bool
+    is_on_side(const dealii::Point<dim> &point, const unsigned int side) const;
+
     /** Size (m) of the cells of a level. */
     double
     cell_size(const unsigned int level) const;
+
+    /** From now on, cells are divided among the ranks such that all have about
+     * the same @p work; without it, the same number of cells. */
+    void
+    divide_by(const Work &work);
 
     /** Refines and coarsens, without data, until every cell has its desired
      * level, or a finer one that the balance demands. Collective. */

@@ -109,6 +109,10 @@ namespace coapt
     unsigned int
     n_owned_cells() const;
 
+    /** Number of cells that carry fluid, of all ranks. Collective. */
+    unsigned int
+    n_active_cells() const;
+
     /** Copies owned velocities, fetches the ghosts, and interpolates hanging
      * nodes. Collective. */
     void
@@ -261,11 +265,14 @@ namespace coapt
     held_components(const dealii::Point<dim> &x,
                     const FluidGrid<dim> &grid) const;
 
-    /** Whether a point lies on a side of the given kind. */
+    /** Whether the lumen does not contain @p x, by geometry alone. */
     bool
-    is_on_side(const dealii::Point<dim> &x,
-               const FluidBoundary kind,
-               const FluidGrid<dim> &grid) const;
+    is_in_wall(const dealii::Point<dim> &x, const FluidGrid<dim> &grid) const;
+
+    /** Whether the velocity at @p x is given, by geometry alone. */
+    bool
+    has_given_velocity(const dealii::Point<dim> &x,
+                       const FluidGrid<dim> &grid) const;
 
     void
     build_prescribed_velocity(const FluidGrid<dim> &grid);

@@ -1,6 +1,7 @@
 #ifndef coapt_immersion_coupling_points_h
 #define coapt_immersion_coupling_points_h
 
+#include <coapt/base/node_register.h>
 #include <coapt/fluid/fluid_operator.h>
 #include <coapt/geometry/coupling_lattice.h>
 #include <coapt/geometry/simplex_mesh.h>
@@ -131,6 +132,9 @@ namespace coapt
     static constexpr unsigned int n_fluid = 1u << dim;
     static constexpr unsigned int n_solid = dim + 1;
 
+    /** The bits of all nodes of a fluid cell. */
+    static constexpr unsigned char all_nodes = (1u << n_fluid) - 1;
+
     /** What is needed of a point, together in memory. */
     struct Stencil
     {
@@ -150,34 +154,37 @@ namespace coapt
       unsigned int begin, end;
     };
 
-    /** dim numbers in a register; in 3D the fourth is idle. */
+    using Node     = NodeRegister<dim>;
+    using Register = typename Node::Register;
+
+    /** An element of a std::vector, which takes no plain vector types. */
     struct Lanes
     {
-      static constexpr unsigned int size = dim == 2 ? 2 : 4;
-      typedef double Register
-        __attribute__((vector_size(size * sizeof(double))));
       Register values;
     };
 
-    /** The dim numbers that begin at @p x. */
-    static typename Lanes::Register
-    load(const double *x);
+    /** Numbers for the nodes of a fluid cell. */
+    using FluidWeights = typename VectorOfDoubles<n_fluid>::type;
 
     static dealii::Point<dim>
-    to_point(const typename Lanes::Register &x);
+    to_point(const Register &x);
 
     /** Copies one entry of dim numbers for each node. */
     static void
     to_lanes(const double *x, std::vector<Lanes> &result);
 
     /** Interpolation of a nodal field of the solid. */
-    static typename Lanes::Register
+    static Register
     solid_value(const Stencil &s, const std::vector<Lanes> &field);
+
+    /** One for each node of a fluid cell that is free, zero for others. */
+    static FluidWeights
+    free_nodes(const unsigned char constrained);
 
     /** Weights of the nodes of the fluid cell, those of the constrained ones
      * zero and the others rescaled. */
-    static std::array<double, n_fluid>
-    fluid_weights(const Stencil &s, const unsigned char constrained);
+    static FluidWeights
+    fluid_weights(const Stencil &s, const FluidWeights &free);
 
     Stencil
     unplaced_stencil(const unsigned int id) const;
@@ -199,9 +206,7 @@ namespace coapt
     /** Finds cell and weights of a point at @p x; returns whether its cell is
      * known, and otherwise leaves what was there. */
     static bool
-    place(Stencil &stencil,
-          const FluidOperator<dim> &fluid,
-          const typename Lanes::Register &x);
+    place(Stencil &stencil, const FluidOperator<dim> &fluid, const Register &x);
 
     /** Puts the points in the order of their cells. */
     void
