@@ -68,6 +68,9 @@ namespace coapt
                                const double size) const
   {
     const double half_diagonal = 0.5 * std::sqrt(double(dim)) * size;
+    // All its nodes are held, also where the root of the solid lies in it.
+    if (lumen && lumen(center) > half_diagonal)
+      return 0;
     if (!placed.empty())
       {
         // A larger cell is refined if one of its parts may lie in the band.
@@ -77,8 +80,6 @@ namespace coapt
             parameters.band * parameters.finest_cell() + margin)
           return parameters.leaflet_level;
       }
-    if (lumen && lumen(center) > half_diagonal)
-      return 0;
     return parameters.lumen_level;
   }
 

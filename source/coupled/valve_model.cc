@@ -369,7 +369,8 @@ namespace coapt
         dealii::Utilities::MPI::min_max_avg(number, communicator);
       line << " " << range.min << " to " << range.max << " " << what;
     };
-    add(n_fluid, "cells with fluid,");
+    add(fluid->n_owned_cells(), "cells,");
+    add(n_fluid, "of them with fluid,");
     add(points->n_owned(), "coupling points,");
     add(solid->owned_cells().size(), "tetrahedra,");
     add(fluid->n_local_nodes() - fluid->n_owned_nodes(), "ghost nodes");

@@ -106,7 +106,8 @@ namespace coapt
     if (parameters.immersed->damping_rate > 0)
       add_damping();
     for (const auto &coordinates : parameters.immersed->displacement_points)
-      displacement_points.push_back(find(to_point<dim>(coordinates)));
+      displacement_points.push_back(
+        find_material_point(body.mesh, to_point<dim>(coordinates)));
     for (const CellRange &range : ranges)
       initial_volumes.push_back(
         std::accumulate(solid.cell_volumes().begin() + range.first,
@@ -219,48 +220,6 @@ namespace coapt
 
 
   template <int dim>
-  typename ImmersedBodies<dim>::MaterialPoint
-  ImmersedBodies<dim>::find(const Point<dim> &point) const
-  {
-    MaterialPoint best{};
-    double least = -std::numeric_limits<double>::max();
-    for (unsigned int c = 0; c < body.mesh.cells.size(); ++c)
-      {
-        const auto &nodes = body.mesh.cells[c];
-        Tensor<2, dim> edges;
-        for (unsigned int a = 0; a < dim; ++a)
-          for (unsigned int d = 0; d < dim; ++d)
-            edges[d][a] =
-              body.mesh.points[nodes[a + 1]][d] - body.mesh.points[nodes[0]][d];
-        const Tensor<1, dim> local =
-          invert(edges) * (point - body.mesh.points[nodes[0]]);
-        std::array<double, dim + 1> weights;
-        weights[0] = 1;
-        for (unsigned int a = 0; a < dim; ++a)
-          {
-            weights[a + 1] = local[a];
-            weights[0] -= local[a];
-          }
-        const double lowest = *std::min_element(weights.begin(), weights.end());
-        if (lowest > least)
-          {
-            least = lowest;
-            best  = {c, weights};
-          }
-      }
-    if (least < -1e-6)
-      {
-        std::ostringstream message;
-        message << "Body/Displacement points: (" << point
-                << ") m is in no body";
-        throw InputError(message.str());
-      }
-    return best;
-  }
-
-
-
-  template <int dim>
   std::vector<double>
   ImmersedBodies<dim>::initial_state()
   {
@@ -355,7 +314,7 @@ namespace coapt
       row.emplace_back("body_force_" + axis(d) + "_N", mean_force[d]);
     for (unsigned int i = 0; i < displacement_points.size(); ++i)
       {
-        const auto u = displacement(displacement_points[i], X);
+        const auto u = displacement(body.mesh, displacement_points[i], X);
         for (unsigned int d = 0; d < dim; ++d)
           row.emplace_back("displacement_" + std::to_string(i + 1) + "_" +
                              axis(d) + "_m",
@@ -400,23 +359,6 @@ namespace coapt
     if (interval > 0)
       mean_force = (sum + momentum - last_momentum) / interval;
     last_momentum = momentum;
-  }
-
-
-
-  template <int dim>
-  Tensor<1, dim>
-  ImmersedBodies<dim>::displacement(const MaterialPoint &point,
-                                    const std::vector<double> &X) const
-  {
-    Tensor<1, dim> result;
-    for (unsigned int a = 0; a <= dim; ++a)
-      {
-        const unsigned int node = body.mesh.cells[point.cell][a];
-        result += point.weights[a] *
-          (node_position<dim>(node, X) - body.mesh.points[node]);
-      }
-    return result;
   }
 
 

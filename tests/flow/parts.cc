@@ -92,9 +92,9 @@ namespace
       sample_flow(model, y.data(), {Point<2>(0.1, 0.3), Point<2>(1., 1.)});
     check_relative("pressure inside", samples.pressure[0], 3.7, 1e-12);
     check_relative("pressure in the corner", samples.pressure[1], 10, 0.03);
-    check("point outside", error_of([&] {
-                             sample_flow(model, y.data(), {Point<2>(1.1, 0.)});
-                           }) == "a point is outside the box");
+    const std::string error =
+      error_of([&] { sample_flow(model, y.data(), {Point<2>(1.1, 0.)}); });
+    check("point outside", error.find("1.1") != std::string::npos);
   }
 } // namespace
 

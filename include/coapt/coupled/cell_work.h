@@ -20,8 +20,8 @@ namespace coapt
   class CellWork
   {
   public:
-    /** Coupling points only lie in cells of size @p finest (m), in a box with
-     * the corner @p lower. @p lumen is the signed distance to the wall,
+    /** Coupling points in the lumen lie in cells of size @p finest (m), in a box
+     * with the corner @p lower; those in the wall are idle. @p lumen is the signed distance to the wall,
      * negative inside; empty if the whole box is lumen. */
     CellWork(const dealii::Point<dim> &lower,
              const double finest,

@@ -3,6 +3,7 @@
 
 #include <coapt/coupled/coupled_system.h>
 #include <coapt/flow/flow_model.h>
+#include <coapt/flow/material_point.h>
 #include <coapt/geometry/body_shapes.h>
 #include <coapt/io/statistics.h>
 #include <coapt/metrics/energy_audit.h>
@@ -78,13 +79,6 @@ namespace coapt
     write_fields(const std::string &folder, const double t, const double *y);
 
   private:
-    /** A material point: weights of the nodes of a cell. */
-    struct MaterialPoint
-    {
-      unsigned int cell;
-      std::array<double, dim + 1> weights;
-    };
-
     /** Cells [begin, end) of one body. */
     using CellRange = std::pair<unsigned int, unsigned int>;
 
@@ -104,13 +98,6 @@ namespace coapt
 
     void
     check_inside() const;
-
-    MaterialPoint
-    find(const dealii::Point<dim> &point) const;
-
-    dealii::Tensor<1, dim>
-    displacement(const MaterialPoint &point,
-                 const std::vector<double> &X) const;
 
     void
     add_shape_figures(Row &row, const std::vector<double> &X) const;
@@ -138,7 +125,7 @@ namespace coapt
     Timing timing;
     CoupledSystem<dim> system;
     EnergyAudit<dim> audit;
-    std::vector<MaterialPoint> displacement_points;
+    std::vector<MaterialPoint<dim>> displacement_points;
     std::vector<double> initial_volumes; // of the bodies
 
     unsigned int steps_since_audit = 0;
