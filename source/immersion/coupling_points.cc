@@ -103,7 +103,7 @@ namespace coapt
   inline typename CouplingPoints<dim>::FluidWeights
   CouplingPoints<dim>::free_nodes(const unsigned char constrained)
   {
-    FluidWeights free;
+    FluidWeights free{};
     for (unsigned int i = 0; i < n_fluid; ++i)
       free[i] = (constrained >> i) & 1 ? 0 : 1;
     return free;
