@@ -1,5 +1,6 @@
 #include <coapt/coupled/cell_work.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace coapt

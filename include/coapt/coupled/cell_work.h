@@ -3,7 +3,6 @@
 
 #include <deal.II/base/point.h>
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <unordered_map>
@@ -20,9 +19,10 @@ namespace coapt
   class CellWork
   {
   public:
-    /** Coupling points in the lumen lie in cells of size @p finest (m), in a box
-     * with the corner @p lower; those in the wall are idle. @p lumen is the signed distance to the wall,
-     * negative inside; empty if the whole box is lumen. */
+    /** Coupling points in the lumen lie in cells of size @p finest (m), in a
+     * box with the corner @p lower; those in the wall are idle. @p lumen is
+     * the signed distance to the wall, negative inside; empty if the whole box
+     * is lumen. */
     CellWork(const dealii::Point<dim> &lower,
              const double finest,
              const std::function<double(const dealii::Point<dim> &)> &lumen);
