@@ -57,6 +57,7 @@ namespace coapt
     SolidParameters::declare_parameters(prm);
     ImmersionParameters::declare_parameters(prm);
     ContactParameters::declare_parameters(prm);
+    FilmParameters::declare_parameters(prm);
   }
 
 
@@ -72,5 +73,6 @@ namespace coapt
     solid.parse_parameters(prm);
     coupling.parse_parameters(prm);
     contact.parse_parameters(prm);
+    film.parse_parameters(prm);
   }
 } // namespace coapt

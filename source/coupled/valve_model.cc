@@ -45,6 +45,22 @@ namespace coapt
 
 
 
+  ContactParameters
+  ValveModel::contact_parameters() const
+  {
+    ContactParameters result = parameters.contact;
+    // Gaps are known up to the clearance plus half of the margin.
+    if (parameters.film.drains)
+      result.search_margin = std::max(result.search_margin,
+                                      2 *
+                                        (parameters.film.largest_width *
+                                           parameters.mesh.finest_cell() -
+                                         result.clearance));
+    return result;
+  }
+
+
+
   void
   ValveModel::build_solid()
   {
@@ -59,7 +75,7 @@ namespace coapt
     contact = std::make_unique<MidSurfaceContact>(leaflet,
                                                   solid->mass(),
                                                   parameters.solid.density,
-                                                  parameters.contact,
+                                                  contact_parameters(),
                                                   communicator);
   }
 
@@ -185,6 +201,26 @@ namespace coapt
     system->set_impulse([this](const double *X, double *V, const double dt) {
       act_contact(X, V, dt);
     });
+    build_film();
+  }
+
+
+
+  void
+  ValveModel::build_film()
+  {
+    if (!parameters.film.drains)
+      return;
+    film = std::make_unique<SubGridFilm>(leaflet,
+                                         parameters.film,
+                                         parameters.mesh.finest_cell(),
+                                         parameters.fluid.density *
+                                           parameters.fluid.sound_speed *
+                                           parameters.fluid.sound_speed,
+                                         *points,
+                                         *fluid,
+                                         communicator);
+    system->set_sink(film.get());
   }
 
 
@@ -196,6 +232,19 @@ namespace coapt
     last_contact        = contact->apply_impulse(X, V, dt);
     if (contact_work_listener)
       contact_work_listener(solid->kinetic_energy(V) - before);
+    time_since_film += dt;
+    if (film && ++steps_since_film >= parameters.contact.search_interval)
+      update_film(X);
+  }
+
+
+
+  void
+  ValveModel::update_film(const double *X)
+  {
+    film->update(X, contact->state(), time_since_film);
+    steps_since_film = 0;
+    time_since_film  = 0;
   }
 
 
@@ -254,12 +303,16 @@ namespace coapt
                "Mesh: Largest number of cells is exceeded; the velocity jump "
                "is raised to " +
                  std::to_string(flow_indicator.tolerated_jump()) + " m/s");
-    return system->adapt(
-      *grid,
-      [this](const Point<3> &center, const double size) {
-        return wanted_level(center, size);
-      },
-      y);
+    if (!system->adapt(
+          *grid,
+          [this](const Point<3> &center, const double size) {
+            return wanted_level(center, size);
+          },
+          y))
+      return false;
+    if (film)
+      update_film(system->solid_positions(y.data()).data());
+    return true;
   }
 
 

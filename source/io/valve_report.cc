@@ -21,6 +21,7 @@ namespace coapt
       {"swept_flow_mL_per_s", s.swept_flow / millilitre},
       {"outflow_volume_mL", s.outflow_volume / millilitre},
       {"swept_volume_mL", s.swept_volume / millilitre},
+      {"drained_volume_mL", s.drained_volume / millilitre},
       {"coaptation_force_N", s.coaptation_force},
       {"contact_force_N", s.contact_force},
       {"coaptation_area_mm2", s.coaptation_area / square_millimetre},
@@ -121,7 +122,8 @@ namespace coapt
     if (!(first->time < last.time))
       return std::numeric_limits<double>::quiet_NaN();
     return ((last.outflow_volume - first->outflow_volume) -
-            (last.swept_volume - first->swept_volume)) /
+            (last.swept_volume - first->swept_volume) +
+            (last.drained_volume - first->drained_volume)) /
       (last.time - first->time);
   }
 

@@ -285,6 +285,7 @@ namespace coapt
     sample.pressure       = model.ventricular_pressure(t);
     sample.outflow_volume = outflow_volume;
     sample.swept_volume   = total_swept;
+    sample.drained_volume = model.film ? model.film->drained_volume() : 0.;
     measure_noise(y, sample);
     measure_solid(t, X, V, sample);
 

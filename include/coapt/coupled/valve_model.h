@@ -11,6 +11,7 @@
 #include <coapt/coupled/flow_indicator.h>
 #include <coapt/coupled/model_parameters.h>
 #include <coapt/coupled/solid_band.h>
+#include <coapt/coupled/sub_grid_film.h>
 #include <coapt/geometry/leaflet.h>
 #include <coapt/geometry/lumen.h>
 
@@ -110,6 +111,9 @@ namespace coapt
     std::unique_ptr<CouplingPoints<3>> points;
     std::unique_ptr<CoupledSystem<3>> system;
 
+    /** Empty if films are not drained. */
+    std::unique_ptr<SubGridFilm> film;
+
     /** What the last contact did. */
     MidSurfaceContact::Result last_contact;
 
@@ -122,6 +126,10 @@ namespace coapt
     mid_surface(const std::vector<double> &nodal) const;
 
   private:
+    /** Those of the file, with a search that sees all films. */
+    ContactParameters
+    contact_parameters() const;
+
     void
     build_solid();
 
@@ -157,6 +165,15 @@ namespace coapt
     FlowIndicator<3> flow_indicator;
     std::unique_ptr<CellWork<3>> work;
     std::function<void(double)> contact_work_listener;
+
+    void
+    build_film();
+
+    void
+    update_film(const double *X);
+
+    unsigned int steps_since_film = 0;
+    double time_since_film        = 0;
   };
 } // namespace coapt
 
