@@ -204,7 +204,7 @@ namespace coapt
         kinnmark_gray_limit(model.chordae->damping_ratio()) /
           model.chordae->max_frequency()},
        {"coupling",
-        model.parameters.coupling.max_relaxation_time /
+        model.largest_relaxation_time(integrator.time()) /
           model.parameters.coupling.relaxation_steps / parameters.step.safety},
        {"contact", model.contact_step_limit()}});
   }

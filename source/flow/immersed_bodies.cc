@@ -2,7 +2,6 @@
 #include <coapt/base/first_rank.h>
 #include <coapt/flow/immersed_bodies.h>
 #include <coapt/flow/number_lists.h>
-#include <coapt/geometry/surface_distance.h>
 #include <coapt/io/fluid_piece.h>
 #include <coapt/time/stability_limit.h>
 
@@ -149,13 +148,10 @@ namespace coapt
         mesh.points = body.mesh.points;
         mesh.cells.assign(body.mesh.cells.begin() + range.first,
                           body.mesh.cells.begin() + range.second);
-        auto samples = simplex_lattice(mesh, immersed.coupling.spacing * h);
-        if (immersed.margin > 0)
-          samples = away_from_surface(mesh, samples, immersed.margin * h);
-        if (samples.empty())
-          throw InputError("Body/Margin is " + std::to_string(immersed.margin) +
-                           " cells of " + std::to_string(h) +
-                           " m, which leaves nothing of a body");
+        const double spacing = immersed.coupling.spacing * h;
+        auto samples         = immersed.couples_surface
+                  ? surface_lattice(mesh, spacing, h)
+                  : simplex_lattice(mesh, spacing);
         for (SamplePoint<dim> &sample : samples)
           sample.cell += range.first;
         all.insert(all.end(), samples.begin(), samples.end());

@@ -85,8 +85,7 @@ namespace coapt
     ShapedBody<dim>
     make_bodies();
 
-    /** Where the bodies are coupled with the fluid. Throws InputError if
-     * nothing is left of a body. */
+    /** Where the bodies are coupled with the fluid. */
     std::vector<SamplePoint<dim>>
     coupling_lattice() const;
 

@@ -52,6 +52,26 @@ namespace coapt
   template <int dim>
   std::vector<SamplePoint<dim>>
   simplex_lattice(const SimplexMesh<dim> &mesh, double spacing);
+
+  /**
+   * Points on the surface of any mesh, for a body that is several fluid cells
+   * thick: each face is cut into equal parts, so many that they are about
+   * @p spacing (m) long but one at least, with a point at the centroid of each
+   * that stands for a layer of @p depth (m) below its part.
+   *
+   * Where a body's interior is coupled, too, the fluid's nodes around it are
+   * all fixed, whatever the place of the surface between them; a surface with
+   * about one point in each cell leaves the velocity across it linear, and the
+   * flow feels displacements far below a cell (compare the spacing of markers
+   * in Uhlmann 2005, section 3).
+   */
+  template <int dim>
+  std::vector<SamplePoint<dim>>
+  surface_lattice(const SimplexMesh<dim> &mesh, double spacing, double depth);
+
+  /** Throws InputError unless the @p spacing (m) of points is positive. */
+  void
+  check_point_spacing(double spacing);
 } // namespace coapt
 
 #endif

@@ -20,8 +20,8 @@ namespace coapt
     /** Relaxation time of the multiplier over the time step. */
     double relaxation_steps = 2.;
 
-    /** Largest relaxation time (s); bounds the leak, which grows with its
-     * square, and with it the time step. */
+    /** Largest relaxation time (s), for a valve at the largest pressure;
+     * bounds the leak, which grows with its square, and with it the step. */
     double max_relaxation_time = 16e-6;
 
     /** Damping ratio zeta of the relaxed constraint. */
