@@ -99,6 +99,8 @@ namespace coapt
              parameters.fluid.density,
              timing,
              model.communicator)
+    , held(held_nodes())
+    , solid_frequency(solid, body.mesh, held, model.communicator)
     , audit(system, model.fluid(), solid, points)
   {
     check_inside();
@@ -277,15 +279,13 @@ namespace coapt
 
   template <int dim>
   std::vector<StepLimit>
-  ImmersedBodies<dim>::step_limits(const double *y) const
+  ImmersedBodies<dim>::step_limits(const double *y)
   {
     const std::vector<double> X         = system.solid_positions(y);
-    const auto bound                    = solid.step_bound(X.data());
+    const auto bound                    = solid_frequency.update(X.data());
     const ImmersionParameters &coupling = parameters.immersed->coupling;
     return {{"fluid", model.fluid().max_stable_step()},
-            {"solid",
-             StepParameters().solid_factor * kinnmark_gray_limit(bound.xi) /
-               bound.omega},
+            {"solid", kinnmark_gray_limit(bound.xi) / bound.omega},
             {"coupling",
              coupling.max_relaxation_time / coupling.relaxation_steps /
                parameters.step_safety}};
