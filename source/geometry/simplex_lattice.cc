@@ -124,6 +124,51 @@ namespace coapt
       const Tensor<1, dim> v = corners[dim - 1] - corners[0];
       return std::sqrt((u * u) * (v * v) - (u * v) * (u * v)) / 2;
     }
+
+    template <int dim>
+    struct PlacedSample
+    {
+      SamplePoint<dim> sample;
+      Point<dim> position;
+    };
+
+    /** Points at most @p spacing apart all over the surface, each with the
+     * volume of a layer of @p depth below its part. */
+    template <int dim>
+    std::vector<PlacedSample<dim>>
+    dense_surface_points(const SimplexMesh<dim> &mesh,
+                         const double spacing,
+                         const double depth)
+    {
+      std::vector<PlacedSample<dim>> result;
+      for (const SurfaceFace<dim> &face : surface_faces(mesh))
+        {
+          std::array<Point<dim>, dim> corners;
+          double longest = 0;
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              corners[i] = mesh.points[mesh.cells[face.cell][face.vertices[i]]];
+              for (unsigned int j = 0; j < i; ++j)
+                longest = std::max(longest, corners[i].distance(corners[j]));
+            }
+          const auto centroids =
+            part_centroids<dim - 1>(std::ceil(longest / spacing));
+          for (const auto &centroid : centroids)
+            {
+              PlacedSample<dim> placed;
+              placed.sample.cell = face.cell;
+              for (unsigned int i = 0; i < dim; ++i)
+                {
+                  placed.sample.barycentric[face.vertices[i]] = centroid[i];
+                  placed.position += centroid[i] * corners[i];
+                }
+              placed.sample.volume =
+                area<dim>(corners) * depth / centroids.size();
+              result.push_back(placed);
+            }
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -162,29 +207,35 @@ namespace coapt
                   const double depth)
   {
     check_point_spacing(spacing);
+    std::vector<PlacedSample<dim>> dense =
+      dense_surface_points(mesh, spacing / 20, depth);
+    // In the order of x, with some tolerance, so that points on both sides of a
+    // body along x are chosen alike.
+    std::stable_sort(dense.begin(),
+                     dense.end(),
+                     [&](const auto &p, const auto &q) {
+                       return p.position[0] < q.position[0] - 1e-6 * spacing;
+                     });
+    std::vector<PlacedSample<dim>> kept;
+    for (const PlacedSample<dim> &candidate : dense)
+      if (std::none_of(kept.begin(), kept.end(), [&](const auto &other) {
+            return other.position.distance(candidate.position) < spacing;
+          }))
+        {
+          kept.push_back(candidate);
+          kept.back().sample.volume = 0;
+        }
+    for (const PlacedSample<dim> &part : dense)
+      std::min_element(kept.begin(),
+                       kept.end(),
+                       [&](const auto &p, const auto &q) {
+                         return p.position.distance_square(part.position) <
+                           q.position.distance_square(part.position);
+                       })
+        ->sample.volume += part.sample.volume;
     std::vector<SamplePoint<dim>> samples;
-    for (const SurfaceFace<dim> &face : surface_faces(mesh))
-      {
-        std::array<Point<dim>, dim> corners;
-        double longest = 0;
-        for (unsigned int i = 0; i < dim; ++i)
-          {
-            corners[i] = mesh.points[mesh.cells[face.cell][face.vertices[i]]];
-            for (unsigned int j = 0; j < i; ++j)
-              longest = std::max(longest, corners[i].distance(corners[j]));
-          }
-        const auto centroids =
-          part_centroids<dim - 1>(std::max(1l, std::lround(longest / spacing)));
-        for (const auto &centroid : centroids)
-          {
-            SamplePoint<dim> sample;
-            sample.cell = face.cell;
-            for (unsigned int i = 0; i < dim; ++i)
-              sample.barycentric[face.vertices[i]] = centroid[i];
-            sample.volume = area<dim>(corners) * depth / centroids.size();
-            samples.push_back(sample);
-          }
-      }
+    for (const PlacedSample<dim> &placed : kept)
+      samples.push_back(placed.sample);
     return samples;
   }
 

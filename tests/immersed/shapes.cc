@@ -134,19 +134,19 @@ namespace
     const auto samples   = surface_lattice(strip.mesh, spacing, depth);
     const double upper[] = {1, 0.2, 0.5};
     double volume = 0, farthest = 0;
+    std::vector<Point<dim>> positions;
     for (const auto &sample : samples)
       {
         volume += sample.volume;
+        Point<dim> x;
+        for (unsigned int a = 0; a <= dim; ++a)
+          x += sample.barycentric[a] *
+            strip.mesh.points[strip.mesh.cells[sample.cell][a]];
         double distance = 1;
         for (unsigned int d = 0; d < dim; ++d)
-          {
-            double x = 0;
-            for (unsigned int a = 0; a <= dim; ++a)
-              x += sample.barycentric[a] *
-                strip.mesh.points[strip.mesh.cells[sample.cell][a]][d];
-            distance = std::min({distance, x, upper[d] - x});
-          }
+          distance = std::min({distance, x[d], upper[d] - x[d]});
         farthest = std::max(farthest, std::abs(distance));
+        positions.push_back(x);
       }
     const double area = dim == 2 ? 2.4 : 2 * (0.2 + 0.5 + 0.1);
     check_relative(name + ", layer below its surface",
@@ -154,10 +154,21 @@ namespace
                    area * depth,
                    1e-12);
     check(name + ", points on its surface", farthest < 1e-12);
-    if (dim == 2)
-      check(name + ", two points on each of 24 edges",
-            samples.size() == 48,
-            samples.size());
+    double nearest = 1, uncovered = 0;
+    for (const auto &p : positions)
+      for (const auto &q : positions)
+        if (&p != &q)
+          nearest = std::min(nearest, p.distance(q));
+    for (const auto &p : strip.mesh.points)
+      if (p[1] < 1e-9) // on the surface
+        {
+          double distance = 1;
+          for (const auto &q : positions)
+            distance = std::min(distance, p.distance(q));
+          uncovered = std::max(uncovered, distance);
+        }
+    check(name + ", distance between points", nearest >= spacing, nearest);
+    check(name + ", surface near a point", uncovered < 1.1 * spacing);
   }
 } // namespace
 

@@ -55,9 +55,9 @@ namespace coapt
 
   /**
    * Points on the surface of any mesh, for a body that is several fluid cells
-   * thick: each face is cut into equal parts, so many that they are about
-   * @p spacing (m) long but one at least, with a point at the centroid of each
-   * that stands for a layer of @p depth (m) below its part.
+   * thick: none nearer to another than @p spacing (m), and none of the surface
+   * further away from all than that. Each stands for the part of the surface
+   * that is nearest to it, with a layer of @p depth (m) below it.
    *
    * Where a body's interior is coupled, too, the fluid's nodes around it are
    * all fixed, whatever the place of the surface between them; a surface with
