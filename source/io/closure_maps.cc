@@ -38,20 +38,22 @@ namespace coapt
                                                             tractions.total,
                                                             state.current_area))
         coapts.push_back(value);
-      return {{"contact_pressure",
-               "contact_pressure_kPa",
-               kilopascal,
-               filtered(tractions.contact)},
-              {"coaptation_pressure",
-               "coaptation_pressure_kPa",
-               kilopascal,
-               filtered(tractions.total)},
-              {"gap", "gap_mm", millimetre, state.gap},
-              {"first_contact",
-               "first_contact_s",
-               1.,
-               monitor.contact_history().first_times()},
-              {"coapts", "coapts", 1., coapts}};
+      return {
+        {"contact_pressure",
+         "contact_pressure_kPa",
+         kilopascal,
+         filtered(tractions.contact)},
+        {"coaptation_pressure",
+         "coaptation_pressure_kPa",
+         kilopascal,
+         filtered(tractions.total)},
+        {"gap", "gap_mm", millimetre, state.gap},
+        {"first_contact",
+         "first_contact_s",
+         1.,
+         monitor.contact_history().first_times()},
+        {"slip", "slip_mm", millimetre, monitor.contact_history().slips()},
+        {"coapts", "coapts", 1., coapts}};
     }
 
     void

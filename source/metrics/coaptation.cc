@@ -135,20 +135,33 @@ namespace coapt
 
 
 
+  std::vector<bool>
+  Coaptation::apposed(const std::vector<double> &gap) const
+  {
+    std::vector<bool> result(gap.size());
+    for (unsigned int c = 0; c < gap.size(); ++c)
+      result[c] = gap[c] <= settings.gap_limit;
+    return result;
+  }
+
+
+
   std::array<std::vector<LineCoaptation>, 2>
   Coaptation::profile(const std::vector<double> &gap,
                       const std::vector<double> &total_traction,
                       const std::vector<double> &area,
                       const std::vector<Point<3>> &points) const
   {
-    const std::vector<bool> coapts = coapting(gap, total_traction, area);
-    std::vector<bool> apposed(gap.size());
-    for (unsigned int c = 0; c < gap.size(); ++c)
-      apposed[c] = gap[c] <= settings.gap_limit;
+    const std::vector<bool> coapts     = coapting(gap, total_traction, area);
     const std::vector<double> traction = average(total_traction, area);
     const auto of = [&](const LeafletLines::Lines &of_leaflet) {
-      return coaptation_profile(
-        of_leaflet, lines.height, coapts, apposed, traction, reference, points);
+      return coaptation_profile(of_leaflet,
+                                lines.height,
+                                coapts,
+                                apposed(gap),
+                                traction,
+                                reference,
+                                points);
     };
     return {{of(lines.anterior), of(lines.posterior)}};
   }

@@ -41,7 +41,7 @@ namespace coapt
       if (is_new)
         {
           points.emplace_back(radius * (angle(column) + 2 * M_PI * turns),
-                              -lines.depth[column],
+                              0. - lines.depth[column],
                               0.);
           columns.push_back(column);
         }

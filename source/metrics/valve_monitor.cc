@@ -37,7 +37,9 @@ namespace coapt
     , audit(*model.system, *model.fluid, *model.solid, *model.points)
     , peaks(model.chordae->chordae())
     , belt(model.leaflet, settings_for(model.parameters))
-    , history(model.leaflet.columns.size(), model.parameters.contact.clearance)
+    , history(model.leaflet.columns.size(),
+              model.parameters.contact.clearance,
+              model.parameters.valve.thickness)
     , outer_faces(boundary_faces(model.leaflet.mesh.cells))
     , column_contact_pressure(model.leaflet.columns.size(), 0.)
     , column_traction(model.leaflet.columns.size(), 0.)
@@ -63,7 +65,9 @@ namespace coapt
     peaks.update(t,
                  model.chordae->tensions(
                    t, X.data(), model.system->solid_velocities(y).data()));
-    history.update(t, model.contact->state().gap);
+    const auto &contact = model.contact->state();
+    history.update(t,
+                   {contact.gap, contact.normals, points, mid_velocities(y)});
     largest_outflow = std::max(largest_outflow, outflow);
     started         = true;
     last_time       = t;
@@ -216,14 +220,18 @@ namespace coapt
   {
     sample.inflow  = -model.fluid->flux(ValveModel::ventricular_end, u.data());
     sample.outflow = model.fluid->flux(ValveModel::atrial_end, u.data());
-    sample.swept_flow  = swept_rate(surface_points, velocities, model.surface);
-    sample.tissue_flow = flux_through_surface(*model.fluid,
-                                              u,
-                                              surface_points,
-                                              velocities,
-                                              model.surface,
-                                              model.communicator);
-    sample.reynolds    = reynolds_number(sample.outflow,
+    sample.swept_flow = swept_rate(surface_points, velocities, model.surface);
+
+    // Where leaflets lie side by side, they part ventricle and film, not
+    // ventricle and atrium.
+    const std::vector<bool> apposed = belt.apposed(model.contact->state().gap);
+    std::vector<std::array<unsigned int, 3>> parting;
+    for (const auto &[a, b, c] : model.surface)
+      if (!apposed[a] && !apposed[b] && !apposed[c])
+        parting.push_back({{a, b, c}});
+    sample.tissue_flow = flux_through_surface(
+      *model.fluid, u, surface_points, velocities, parting, model.communicator);
+    sample.reynolds = reynolds_number(sample.outflow,
                                       M_PI * model.lumen.semi_axis_x() *
                                         model.lumen.semi_axis_y(),
                                       model.fluid->parameters().density,
@@ -242,6 +250,18 @@ namespace coapt
     dealii::Utilities::MPI::sum(force, model.communicator, force);
     sample.annulus_force =
       force_on_supports(model.leaflet.pinned, force).norm();
+  }
+
+
+
+  std::vector<Tensor<1, 3>>
+  ValveMonitor::mid_velocities(const double *y) const
+  {
+    std::vector<Tensor<1, 3>> result;
+    for (const Point<3> &v :
+         model.mid_surface(model.system->solid_velocities(y)))
+      result.push_back(v);
+    return result;
   }
 
 
@@ -355,10 +375,7 @@ namespace coapt
     sample.outflow_volume = outflow_volume;
     sample.swept_volume   = total_swept;
     measure_noise(y, sample);
-    std::vector<Tensor<1, 3>> velocities;
-    for (const Point<3> &v : model.mid_surface(V))
-      velocities.push_back(v);
-    measure_flow(model.system->local_velocity(y), velocities, sample);
+    measure_flow(model.system->local_velocity(y), mid_velocities(y), sample);
     measure_solid(t, X, V, sample);
 
     measure_tractions(y, X);

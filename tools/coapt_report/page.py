@@ -3,7 +3,7 @@
 import html
 import os
 
-from . import colours, figures, pictures, plots, views
+from . import closure, colours, figures, pictures, plots, views
 
 HERE = os.path.dirname(__file__)
 
@@ -66,6 +66,21 @@ def key_figures(run):
         f"<div><dt>{html.escape(row.title)}</dt>"
         f"<dd>{row.text(run)} {row.unit}</dd></div>"
         for row in figures.KEY_FIGURES) + "</dl>"
+
+
+def finding_section(findings):
+    """What a study was to find, and whether it came out."""
+    if not findings:
+        return ""
+    rows = "\n".join(
+        f'<tr><td>{html.escape(f.case)}</td><td class="text">'
+        f'{html.escape(f.text)}</td><td class="text">'
+        f'{html.escape(f.measured)}</td>'
+        f'<td class="{f.word}">{f.word}</td></tr>' for f in findings)
+    return ('<h2 id="findings">Findings of the reference work</h2>'
+            '<div class="table"><table><thead><tr><th>Case</th>'
+            '<th class="text">Finding</th><th class="text">Measured</th>'
+            f"<th></th></tr></thead><tbody>{rows}</tbody></table></div>")
 
 
 def picture_section(runs, ranges):
@@ -147,6 +162,66 @@ def flow_section(runs):
                    "as shut.") + "</div>")
 
 
+def slip_figure(run, name):
+    """How far places have slid, if that is known."""
+    table = run.table("contact_map.csv")
+    if "slip_mm" not in table:
+        return ""
+    top = max(.1, colours.round_up(float(table["slip_mm"].max())))
+    return figure(
+        closure.map_figure(run, "slip", "slip, mm", 1e-3, "YlOrBr", 0, top),
+        f"{name}How far each place has slid on the other leaflet.")
+
+
+def coaptation_section(runs):
+    """Where and how firmly the leaflets meet."""
+    runs = [run for run in runs if run.has("contact_map.vtu")]
+    if not runs:
+        return ""
+    top = closure.pressure_range(runs)
+    parts = ['<h2 id="coaptation">Coaptation</h2>',
+             legend(colours.TRACTION, top)]
+    for run in runs:
+        name = f"{run.label}. " if len(runs) > 1 else ""
+        sentences = closure.gap_sentences(run)
+        last = run.statistics["time_s"][-1]
+        parts.append('<div class="pictures">' + "".join(
+            figure(source, name + caption)
+            for caption, source in closure.belt_pictures(run, top)) +
+            "</div>")
+        parts.append('<div class="figures wide">' + figure(
+            closure.map_figure(run, "coaptation_pressure",
+                               "pressure, kPa", 1e3, "BuPu", 0, top),
+            f"{name}Pressure between the leaflets, mean of the last 20 ms, on "
+            "the leaflet unrolled from its open shape. The middle is the "
+            "anterior leaflet, both ends the posterior one. " +
+            " ".join(sentences)) + figure(
+            closure.map_figure(run, "first_contact", "time, ms", 1e-3,
+                               "viridis", 0, 1e3 * last),
+            f"{name}When each place first touched (blank: never).") +
+            slip_figure(run, name) + "</div>")
+    parts += [
+        run_colours(runs), '<div class="figures">',
+        figure(closure.belt_figure(runs),
+               "The belt by position: tissue in contact (full lines) and "
+               "apposition as an echocardiogram shows it (dotted)."),
+        figure(closure.distribution_figure(runs),
+               "Share of the belt where the pressure exceeds t: all that "
+               "presses (full) and contact alone (dotted)."),
+        figure(closure.section_figure(runs),
+               "The leaflets cut in the middle: closed, and open (dashed)."),
+        "</div>",
+        "<h3>Coaptation length by segment, mm</h3>",
+        table([""] + [text for run in runs for text in (
+            f"{run.label}: contact" if len(runs) > 1 else "In contact",
+            "least", "apposition")], closure.segment_rows(runs)),
+        '<p class="soft">In contact: height of the tissue that presses on the '
+        "other leaflet, mean over the segment and its least value. Apposition: "
+        "length of the closed leaflet beside the other one, pressed or "
+        "not.</p>"]
+    return "\n".join(parts)
+
+
 def streamline_section(runs):
     """Where the blood goes."""
     parts = ['<h3>Streamlines</h3><div class="pictures">']
@@ -171,7 +246,14 @@ def load_section(runs):
         figure(plots.time_figure(runs, "bulging_volume_mL",
                                  "bulging volume, mL"),
                "Volume between the leaflets and a surface that spans the "
-               "annulus, on its atrial side.") + "</div>")
+               "annulus, on its atrial side.") +
+        (figure(closure.chorda_figure(runs),
+                "Largest force of each chorda: R and L right and left, P "
+                "primary from the anterior middle on, S secondary.")
+         if any(run.has("chordae.csv") for run in runs) else "") + "</div>" +
+        ("<h3>Stress, strain and bulging by region</h3>" +
+         table([""] + [run.label for run in runs], closure.region_rows(runs))
+         if any("regions" in run.summary for run in runs) else ""))
 
 
 def figure_section(runs):
@@ -230,18 +312,20 @@ def set_up_section(runs):
     return "\n".join(parts)
 
 
-def page(runs, title):
-    """The whole report as HTML."""
+def page(runs, title, findings=()):
+    """The whole report as HTML, with findings of a study, if there are some."""
     ranges = colours.common_ranges(runs)
-    sections = [verdict_section(runs), picture_section(runs, ranges),
-                view_section(runs, ranges), flow_section(runs), streamline_section(runs),
+    sections = [verdict_section(runs), finding_section(findings), picture_section(runs, ranges),
+                view_section(runs, ranges), coaptation_section(runs), flow_section(runs), streamline_section(runs),
                 load_section(runs), figure_section(runs),
                 set_up_section(runs)]
-    links = (("pictures", "The valve"), ("turn", "3D"), ("flow", "Flow"),
+    links = (("findings", "Findings"), ("pictures", "The valve"), ("turn", "3D"), ("coaptation", "Coaptation"),
+             ("flow", "Flow"),
              ("loads", "Loads"), ("figures", "Figures"),
              ("set-up", "Set-up"))
-    navigation = "".join(f'<a href="#{name}">{text}</a>'
-                         for name, text in links)
+    navigation = " ".join(f'<a href="#{name}">{text}</a>'
+                         for name, text in links
+                         if any(f'id="{name}"' in part for part in sections))
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>

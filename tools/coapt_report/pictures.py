@@ -15,6 +15,8 @@ WIDTH, HEIGHT = 900, 760
 # the height of the picture (m).
 ATRIAL = ((0, 0, 1), (0, 1, 0), 0., .0175)
 SIDE = ((.45, -1, .3), (0, 0, 1), -.0125, .0215)
+FROM_ANTERIOR = ((0, 1, .15), (0, 0, 1), -.0065, .0155)
+FROM_POSTERIOR = ((0, -1, .15), (0, 0, 1), -.0065, .0155)
 CUT = ((1, 0, 0), (0, 0, 1), -.0095, .0195)
 
 
@@ -42,8 +44,15 @@ def leaflet_actor(grid, field, top, plane=None):
         source = clip
     surface = vtk.vtkDataSetSurfaceFilter()
     surface.SetInputConnection(source.GetOutputPort())
+    surface.Update()
+    return surface_actor(surface.GetOutput(), field, top)
+
+
+def surface_actor(surface, field, top):
+    """A surface with the point data "shown" in the colours of a field, or
+    plain."""
     normals = vtk.vtkPolyDataNormals()
-    normals.SetInputConnection(surface.GetOutputPort())
+    normals.SetInputData(surface)
     normals.SetFeatureAngle(50)
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputConnection(normals.GetOutputPort())

@@ -31,10 +31,11 @@ CLASSES = (("anterior_primary", "Anterior primary"),
            ("posterior_secondary", "Posterior secondary"))
 
 
-def encoded(figure):
-    """A figure as a data URL."""
+def encoded(figure, dpi=100):
+    """A figure as a data URL; parts that are rasterised have this many dots
+    per inch."""
     stream = io.BytesIO()
-    figure.savefig(stream, format="svg", metadata={"Date": None})
+    figure.savefig(stream, format="svg", dpi=dpi, metadata={"Date": None})
     pyplot.close(figure)
     return ("data:image/svg+xml;base64," +
             base64.b64encode(stream.getvalue()).decode())

@@ -69,11 +69,11 @@ class Run:
         self.folder = folder
         self.label = label
         for name in ("summary.json", "statistics.csv", "parameters.prm"):
-            if not os.path.isfile(self.path(name)):
+            if not self.has(name):
                 raise OutputError(
                     f"{folder}: there is no {name}; is this the output of a "
                     "valve that has run to its end?")
-        if not os.path.isfile(self.path("fields/leaflet.pvd")):
+        if not self.has("fields/leaflet.pvd"):
             raise OutputError(
                 f"{folder}: there are no fields; was Output/Fields interval "
                 "zero?")
@@ -82,17 +82,20 @@ class Run:
         """Path of a file of this run."""
         return os.path.join(self.folder, name)
 
+    def has(self, name):
+        """Whether there is this file."""
+        return os.path.isfile(self.path(name))
+
     def text(self, name):
         """Text of a file; empty if there is none."""
-        if not os.path.isfile(self.path(name)):
+        if not self.has(name):
             return ""
         with open(self.path(name), encoding="utf-8") as file:
             return file.read()
 
     def table(self, name):
         """A CSV file as columns; None if there is none."""
-        return read_csv(self.path(name)) if os.path.isfile(
-            self.path(name)) else None
+        return read_csv(self.path(name)) if self.has(name) else None
 
     @functools.cached_property
     def summary(self):

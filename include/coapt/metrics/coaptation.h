@@ -95,6 +95,11 @@ namespace coapt
              const std::vector<double> &total_traction,
              const std::vector<double> &area) const;
 
+    /** Which columns lie beside another part of the leaflets, pressed or not.
+     */
+    std::vector<bool>
+    apposed(const std::vector<double> &gap) const;
+
     /** Position by position from left to right, for the mid-surface @p points
      * (m) of the columns: of the anterior and the posterior leaflet. */
     std::array<std::vector<LineCoaptation>, 2>

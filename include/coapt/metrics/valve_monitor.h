@@ -31,7 +31,7 @@ namespace coapt
     double path_width          = 0; // widest way, clearance counts as shut
     double path_gap            = 0; // the same between the surfaces
     double bulging_volume      = 0;
-    double tissue_flow         = 0; // of blood through the tissue
+    double tissue_flow         = 0; // through tissue that is not apposed
     double reynolds            = 0; // of the flow through the annulus
     double annulus_force       = 0; // of the tissue on its support
     double largest_velocity    = 0;
@@ -97,7 +97,7 @@ namespace coapt
     }
     /** @} */
 
-    /** When the columns have touched first. */
+    /** When the columns have touched first, and how far they have slid. */
     const ContactHistory &
     contact_history() const
     {
@@ -172,6 +172,10 @@ namespace coapt
     measure_support(const std::vector<double> &X,
                     const std::vector<double> &V,
                     ValveSample &sample) const;
+
+    /** Velocity of the mid-surface, by column. */
+    std::vector<dealii::Tensor<1, 3>>
+    mid_velocities(const double *y) const;
 
     std::vector<dealii::Point<3>>
     annulus() const;
