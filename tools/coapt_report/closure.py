@@ -98,17 +98,18 @@ def map_figure(run, name, title, factor, table, bottom, top):
     values = point_array(grid, name) / factor
     if name == TRACTION.name:
         values = values * (point_array(grid, "coapts") > 0)
-    figure, axes = pyplot.subplots(figsize=(8.4, 2.5), layout="constrained")
+    figure, axes = pyplot.subplots(figsize=(5.6, 2.2), layout="constrained")
     shown = axes.tripcolor(points[:, 0], points[:, 1], triangles,
                            numpy.nan_to_num(values), cmap=table,
                            mask=numpy.isnan(values)[triangles].any(axis=1),
                            vmin=bottom, vmax=top, shading="gouraud",
                            rasterized=True)
     draw_outline(axes, points, triangles, cell_array(grid, "region"))
-    figure.colorbar(shown, label=title, shrink=.75, aspect=12)
+    figure.colorbar(shown, label=title, location="bottom", shrink=.6,
+                    aspect=25)
     axes.set_aspect("equal")
     axes.grid(False)
-    axes.set_xlabel("mm around the annulus, from mid-anterior to the right")
+    axes.set_xlabel("mm around the annulus from mid-anterior")
     axes.set_ylabel("height, mm")
     return plots.encoded(figure, dpi=150)
 
