@@ -26,7 +26,7 @@ install_packages()
   command -v dpkg-query >/dev/null || return 0
   local package missing=() administrator=()
   for package in g++ cmake ninja-build numdiff git mpi-default-bin \
-    libdeal.ii-dev libsundials-dev libmetis-dev; do
+    libdeal.ii-dev libsundials-dev libmetis-dev libceres-dev; do
     dpkg-query -W -f '${Status}' "$package" 2>/dev/null |
       grep -q 'install ok installed' || missing+=("$package")
   done
