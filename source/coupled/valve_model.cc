@@ -2,9 +2,11 @@
 
 #include <coapt/base/exceptions.h>
 #include <coapt/coupled/valve_model.h>
+#include <coapt/geometry/cell_normals.h>
 #include <coapt/geometry/coupling_lattice.h>
 #include <coapt/geometry/valve_generator.h>
 #include <coapt/geometry/widest_path.h>
+#include <coapt/solid/stability.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +54,8 @@ namespace coapt
                                                parameters.solid,
                                                leaflet.fibre,
                                                leaflet.prestretch,
-                                               communicator);
+                                               communicator,
+                                               cell_normals(leaflet));
     chordae = std::make_unique<ChordaeNetwork>(
       generate_chordae(parameters.valve, leaflet, solid->mass()),
       solid->mass());
@@ -344,6 +347,7 @@ namespace coapt
                  std::to_string(ratio) +
                  " times the mass of that node (at "
                  "most about 2 is stable)");
+    warn_if_unstable(parameters.solid, log);
   }
 
 
