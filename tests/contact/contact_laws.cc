@@ -164,7 +164,7 @@ namespace
     const double mu = 0.2;
     for (const double ratio : {0.5, 0.95})
       {
-        const double a = slide(std::atan(ratio * mu), 4e-3);
+        const double a = slide(std::atan(ratio * mu), 8e-3);
         check("block sticks at tan(angle)/mu = " +
                 std::to_string(ratio).substr(0, 4),
               std::abs(a) < 1e-3,
