@@ -4,7 +4,8 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/tools/setup.sh"
 
-install_packages
+# The report is looked at in a browser.
+install_packages chromium chromium-driver python3-selenium fonts-dejavu-core
 build_targets
 # Built here, together: inside ctest every test would be compiled on its own.
 build_targets test_programs

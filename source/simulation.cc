@@ -45,6 +45,10 @@ namespace coapt
         },
         [this](const double t, double *y) { finish_step(t, y); })
     , step_control(parameters.step)
+    , solid_frequency(*model.solid,
+                      model.leaflet.mesh,
+                      model.leaflet.pinned,
+                      communicator)
     , sections({timing.section("Adaptation"),
                 timing.section("Step limits"),
                 timing.section("Flow and energy"),
@@ -194,17 +198,15 @@ namespace coapt
   {
     const auto scope            = timing.scope(sections.limits);
     const std::vector<double> X = model.system->solid_positions(state.data());
-    const auto solid            = model.solid->step_bound(X.data());
+    const auto solid            = solid_frequency.update(X.data());
     step_control.update(
       {{"fluid", model.fluid->max_stable_step()},
-       {"solid",
-        parameters.step.solid_factor * kinnmark_gray_limit(solid.xi) /
-          solid.omega},
+       {"solid", kinnmark_gray_limit(solid.xi) / solid.omega},
        {"chordae",
         kinnmark_gray_limit(model.chordae->damping_ratio()) /
           model.chordae->max_frequency()},
        {"coupling",
-        model.parameters.coupling.max_relaxation_time /
+        model.largest_relaxation_time(integrator.time()) /
           model.parameters.coupling.relaxation_steps / parameters.step.safety},
        {"contact", model.contact_step_limit()}});
   }

@@ -21,12 +21,15 @@ export OMPI_MCA_rmaps_base_oversubscribe=1
 # Large pages for what malloc hands out: the integrator runs 1.25 times as fast.
 export GLIBC_TUNABLES=${GLIBC_TUNABLES:-glibc.malloc.hugetlb=1}
 
+# install_packages [PACKAGE...]: what is needed to build, run and report, and
+# these packages besides.
 install_packages()
 {
   command -v dpkg-query >/dev/null || return 0
   local package missing=() administrator=()
   for package in g++ cmake ninja-build numdiff git mpi-default-bin \
-    libdeal.ii-dev libsundials-dev libmetis-dev libceres-dev; do
+    libdeal.ii-dev libsundials-dev libmetis-dev libceres-dev python3-vtk9 \
+    python3-matplotlib xvfb xauth "$@"; do
     dpkg-query -W -f '${Status}' "$package" 2>/dev/null |
       grep -q 'install ok installed' || missing+=("$package")
   done

@@ -7,6 +7,7 @@
 #include <coapt/coupled/valve_model.h>
 #include <coapt/io/recorder.h>
 #include <coapt/metrics/valve_monitor.h>
+#include <coapt/solid/largest_frequency.h>
 #include <coapt/time/explicit_integrator.h>
 #include <coapt/time/step_control.h>
 
@@ -94,6 +95,7 @@ namespace coapt
     ValveMonitor monitor;
     ExplicitIntegrator integrator;
     StepControl step_control;
+    LargestFrequency<3> solid_frequency;
     Sections sections;
     std::vector<double> state;
     std::vector<double> last_finite_state, failed_state;

@@ -223,6 +223,17 @@ namespace coapt
 
 
 
+  double
+  TimeTable::largest_magnitude() const
+  {
+    double largest = 0;
+    for (const double value : values)
+      largest = std::max(largest, std::abs(value));
+    return largest;
+  }
+
+
+
   void
   TimeTable::compute_slopes()
   {

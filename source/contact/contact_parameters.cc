@@ -1,3 +1,6 @@
+#include <deal.II/base/utilities.h>
+
+#include <coapt/base/exceptions.h>
 #include <coapt/contact/contact_parameters.h>
 
 namespace coapt
@@ -13,6 +16,23 @@ namespace coapt
                       "0.5",
                       Double(0., 10.),
                       "Gap between the surfaces at which contact begins (mm).");
+    prm.declare_entry("Law",
+                      "linear",
+                      dealii::Patterns::Selection("linear|exponential|table"),
+                      "How the pressure grows when a gap closes: linear with "
+                      "the penalty stiffness; exponential, softly from the "
+                      "clearance on; or by the Table. No law is steeper than "
+                      "the penalty stiffness.");
+    prm.declare_entry("Pressure at touch",
+                      "10",
+                      Double(1e-6, 1e6),
+                      "Pressure of the exponential law where the surfaces "
+                      "touch (kPa).");
+    prm.declare_entry("Table",
+                      "0.5: 0, 0.2: 2, 0: 20",
+                      dealii::Patterns::List(dealii::Patterns::Anything(), 2),
+                      "Gaps (mm) and pressures (kPa) of the law table, from "
+                      "the clearance, which it replaces, on to smaller gaps.");
     prm.declare_entry("Stiffness factor",
                       "0.2",
                       Double(1e-4, 1.),
@@ -31,6 +51,11 @@ namespace coapt
                       "0.2",
                       Double(0., 10.),
                       "Coulomb's coefficient of friction (-).");
+    prm.declare_entry("Stick stiffness",
+                      "0.5",
+                      Double(1e-3, 1.),
+                      "Stiffness against slip before the surfaces slide, as a "
+                      "fraction of the normal one (-).");
     prm.declare_entry(
       "Search interval",
       "10",
@@ -62,14 +87,61 @@ namespace coapt
   {
     const double millimetre = 1e-3;
     prm.enter_subsection("Contact");
-    clearance          = millimetre * prm.get_double("Clearance");
-    stiffness_factor   = prm.get_double("Stiffness factor");
-    max_stiffness      = prm.get_double("Largest stiffness");
-    damping            = prm.get_double("Damping");
-    friction           = prm.get_double("Friction coefficient");
-    search_interval    = prm.get_integer("Search interval");
-    exclusion_distance = millimetre * prm.get_double("Exclusion distance");
-    search_margin      = millimetre * prm.get_double("Search margin");
+    clearance              = millimetre * prm.get_double("Clearance");
+    stiffness_factor       = prm.get_double("Stiffness factor");
+    max_stiffness          = prm.get_double("Largest stiffness");
+    damping                = prm.get_double("Damping");
+    friction               = prm.get_double("Friction coefficient");
+    search_interval        = prm.get_integer("Search interval");
+    exclusion_distance     = millimetre * prm.get_double("Exclusion distance");
+    search_margin          = millimetre * prm.get_double("Search margin");
+    stick_stiffness        = prm.get_double("Stick stiffness");
+    pressure_at_touch      = 1e3 * prm.get_double("Pressure at touch");
+    const std::string name = prm.get("Law");
+    law                    = name == "linear"    ? ContactLaw::linear
+                         : name == "exponential" ? ContactLaw::exponential
+                                                 : ContactLaw::table;
+    const std::string text = prm.get("Table");
     prm.leave_subsection();
+
+    if (law == ContactLaw::exponential && !(clearance > 0))
+      throw InputError("Contact: Law exponential needs a Clearance above zero");
+    if (law == ContactLaw::table)
+      parse_table(text);
+  }
+
+
+
+  void
+  ContactParameters::parse_table(const std::string &text)
+  {
+    const auto refuse = [&](const std::string &reason) {
+      throw InputError("Contact: Table is '" + text + "', but " + reason);
+    };
+    table.clear();
+    for (const std::string &entry :
+         dealii::Utilities::split_string_list(text, ','))
+      {
+        const auto numbers = dealii::Utilities::split_string_list(entry, ':');
+        if (numbers.size() != 2)
+          refuse("must be pairs 'gap: pressure'");
+        try
+          {
+            table.push_back(
+              {1e-3 * dealii::Utilities::string_to_double(numbers[0]),
+               1e3 * dealii::Utilities::string_to_double(numbers[1])});
+          }
+        catch (const dealii::ExceptionBase &)
+          {
+            refuse("'" + entry + "' is not a pair of numbers");
+          }
+        if (table.size() == 1 && table[0].pressure != 0)
+          refuse("must begin with a pressure of zero");
+        if (table.size() > 1 &&
+            (!(table.back().gap < table[table.size() - 2].gap) ||
+             table.back().pressure < table[table.size() - 2].pressure))
+          refuse("gaps must fall and pressures must not");
+      }
+    clearance = table[0].gap;
   }
 } // namespace coapt

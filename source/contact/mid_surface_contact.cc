@@ -79,6 +79,7 @@ namespace coapt
     : parameters(parameters)
     , thickness(leaflet.thickness)
     , communicator(communicator)
+    , law(parameters)
     , surface(leaflet, nodal_mass)
     , own_columns(columns_of_rank(surface.n_columns(), communicator))
     , search(reference_positions(surface, leaflet),
@@ -94,6 +95,7 @@ namespace coapt
     columns.pressure_impulse.assign(n, 0.);
     columns.normals.resize(n);
     least_distance.resize(own_columns.size());
+    histories.resize(own_columns.size());
 
     const double spacing =
       std::sqrt(std::accumulate(columns.reference_area.begin(),
@@ -240,7 +242,8 @@ namespace coapt
                                  const Encounter &encounter,
                                  const double *V,
                                  const double stiffness,
-                                 const double dt)
+                                 const double dt,
+                                 ElasticSlip &history)
   {
     const auto &corner = surface.triangles()[encounter.triangle];
     const auto &area   = columns.current_area;
@@ -272,7 +275,7 @@ namespace coapt
         encounter.weights[v] * surface.average(corner[v], V);
 
     const ContactImpulse impulse =
-      contact_impulse(pair, parameters, stiffness, thickness, dt);
+      contact_impulse(pair, parameters, law, stiffness, thickness, dt, history);
     if (impulse.normal == 0)
       return false;
     const auto distribute = [&](const unsigned int c, const double weight) {
@@ -302,6 +305,7 @@ namespace coapt
       {
         sum[gap] = columns.gap[c];
         add(sum + direction, 1., columns.normals[c]);
+        histories[i] = {};
         return;
       }
     Encounter encounters[2];
@@ -309,9 +313,28 @@ namespace coapt
     sum[gap]             = n > 0 ? encounters[0].distance - thickness : no_gap;
     if (n > 0)
       add(sum + direction, 1., encounters[0].normal);
+    std::array<ElasticSlip, 2> now;
     for (unsigned int e = 0; e < n; ++e)
       if (encounters[e].distance < onset)
-        sums.back() += add_impulse(c, encounters[e], V, stiffness, dt);
+        {
+          now[e] = history_of(i, encounters[e].normal);
+          sums.back() +=
+            add_impulse(c, encounters[e], V, stiffness, dt, now[e]);
+        }
+    histories[i] = now;
+  }
+
+
+
+  // The nearest partner and the opposite one may change places.
+  ElasticSlip
+  MidSurfaceContact::history_of(const unsigned int i,
+                                const Tensor<1, 3> &normal) const
+  {
+    for (const ElasticSlip &history : histories[i])
+      if (history.normal * normal > 0)
+        return history;
+    return ElasticSlip();
   }
 
 

@@ -384,6 +384,19 @@ namespace coapt
 
 
   double
+  ValveModel::largest_relaxation_time(const double time) const
+  {
+    const double peak = ventricular_pressure.largest_magnitude();
+    // no more than ten times as long, at the beginning
+    const double now =
+      std::max(std::abs(ventricular_pressure(time)), 0.01 * peak);
+    return parameters.coupling.max_relaxation_time *
+      (peak > 0 ? std::sqrt(peak / now) : 1.);
+  }
+
+
+
+  double
   ValveModel::contact_step_limit() const
   {
     return std::sqrt(parameters.contact.stiffness_factor *

@@ -1,4 +1,4 @@
-#include <coapt/flow/cell_interpolation.h>
+#include <coapt/fluid/cell_interpolation.h>
 #include <coapt/flow/flow_errors.h>
 #include <coapt/flow/flow_model.h>
 

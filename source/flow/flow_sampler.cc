@@ -1,5 +1,5 @@
 #include <coapt/base/exceptions.h>
-#include <coapt/flow/cell_interpolation.h>
+#include <coapt/fluid/cell_interpolation.h>
 #include <coapt/flow/flow_model.h>
 #include <coapt/flow/flow_sampler.h>
 

@@ -2,7 +2,6 @@
 #include <coapt/base/first_rank.h>
 #include <coapt/flow/immersed_bodies.h>
 #include <coapt/flow/number_lists.h>
-#include <coapt/geometry/surface_distance.h>
 #include <coapt/io/fluid_piece.h>
 #include <coapt/time/stability_limit.h>
 
@@ -100,6 +99,8 @@ namespace coapt
              parameters.fluid.density,
              timing,
              model.communicator)
+    , held(held_nodes())
+    , solid_frequency(solid, body.mesh, held, model.communicator)
     , audit(system, model.fluid(), solid, points)
   {
     check_inside();
@@ -149,13 +150,10 @@ namespace coapt
         mesh.points = body.mesh.points;
         mesh.cells.assign(body.mesh.cells.begin() + range.first,
                           body.mesh.cells.begin() + range.second);
-        auto samples = simplex_lattice(mesh, immersed.coupling.spacing * h);
-        if (immersed.margin > 0)
-          samples = away_from_surface(mesh, samples, immersed.margin * h);
-        if (samples.empty())
-          throw InputError("Body/Margin is " + std::to_string(immersed.margin) +
-                           " cells of " + std::to_string(h) +
-                           " m, which leaves nothing of a body");
+        const double spacing = immersed.coupling.spacing * h;
+        auto samples         = immersed.couples_surface
+                  ? surface_lattice(mesh, spacing, h)
+                  : simplex_lattice(mesh, spacing);
         for (SamplePoint<dim> &sample : samples)
           sample.cell += range.first;
         all.insert(all.end(), samples.begin(), samples.end());
@@ -281,15 +279,13 @@ namespace coapt
 
   template <int dim>
   std::vector<StepLimit>
-  ImmersedBodies<dim>::step_limits(const double *y) const
+  ImmersedBodies<dim>::step_limits(const double *y)
   {
     const std::vector<double> X         = system.solid_positions(y);
-    const auto bound                    = solid.step_bound(X.data());
+    const auto bound                    = solid_frequency.update(X.data());
     const ImmersionParameters &coupling = parameters.immersed->coupling;
     return {{"fluid", model.fluid().max_stable_step()},
-            {"solid",
-             StepParameters().solid_factor * kinnmark_gray_limit(bound.xi) /
-               bound.omega},
+            {"solid", kinnmark_gray_limit(bound.xi) / bound.omega},
             {"coupling",
              coupling.max_relaxation_time / coupling.relaxation_steps /
                parameters.step_safety}};

@@ -101,16 +101,16 @@ namespace coapt
                       Double(0.05, 10),
                       "Edges of the elements of all bodies over those of the "
                       "smallest fluid cells (-).");
-    prm.declare_entry("Margin",
-                      "0",
-                      Double(0, 2),
-                      "Width of the margin inside of the surfaces of all "
-                      "bodies that is not coupled with the fluid, in units of "
-                      "the smallest fluid cells (-). Without one a body "
-                      "moves all corners of the cells that it reaches into, "
-                      "so for the flow it is about half a cell too large on "
-                      "each side; 0.5 makes up for that. What shuts a "
-                      "channel or is thin needs 0.");
+    prm.declare_entry("Coupled part",
+                      "volume",
+                      Selection("volume|surface"),
+                      "Where all bodies are coupled with the fluid. volume is "
+                      "for what is thin or shuts a channel: it fixes all "
+                      "corners of the cells that a body reaches into, so for "
+                      "the flow a body is too large by about half a cell and "
+                      "moves by whole cells. surface, with Coupling/Point "
+                      "spacing 1, is for bodies at least two cells thick: the "
+                      "flow feels where in a cell the surface is.");
     prm.declare_entry("Damping rate",
                       "0",
                       Double(0),
@@ -165,7 +165,7 @@ namespace coapt
                        "body; without one the task is flow");
     prm.enter_subsection("Body");
     element_size        = prm.get_double("Element size");
-    margin              = prm.get_double("Margin");
+    couples_surface     = prm.get("Coupled part") == "surface";
     damping_rate        = prm.get_double("Damping rate");
     held                = prm.get("Held");
     displacement_points = read_points("Body/Displacement points",

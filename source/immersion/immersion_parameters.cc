@@ -36,7 +36,10 @@ namespace coapt
                       "16e-6",
                       Double(1e-9, 1.),
                       "Upper bound of the relaxation time (s). The slip left "
-                      "by the relaxation grows with its square.");
+                      "by the relaxation grows with its square and with the "
+                      "pressure; for a valve it is the bound at the largest "
+                      "ventricular pressure, and before that a longer time "
+                      "is taken, which leaves as much.");
     prm.declare_entry("Damping ratio",
                       std::to_string(defaults.damping_ratio),
                       Double(0., 2.),

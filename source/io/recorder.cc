@@ -31,6 +31,7 @@ namespace coapt
     , log(log)
     , console(parameters.end_time)
     , statistics(folder.file("statistics.csv"), model.communicator)
+    , chordae_table(folder.file("chordae.csv"), model.communicator)
     , fields(folder.file("fields"), model.communicator)
     , report(parameters.end_time, model.parameters.mesh.finest_cell())
     , fields_interval(parameters.fields_interval)
@@ -48,6 +49,7 @@ namespace coapt
     const ValveSample sample = monitor.sample(t, y);
     report.add(sample, monitor);
     statistics.write_row(statistics_row(sample, cost));
+    chordae_table.write_row(chordae_row(sample, model.chordae->chordae()));
     log.line(console.line({t,
                            cost.step_length,
                            limiter,
@@ -156,8 +158,14 @@ namespace coapt
     for (const Log::Warning &warning : log.warnings())
       warnings.push_back(warning.text + " (" + std::to_string(warning.count) +
                          " times)");
-    const Summary summary = report.summary(monitor, cost, warnings);
+    const Summary summary = report.summary(model, monitor, cost, warnings);
     summary.write(folder.file("summary.json"));
+    write_closure_maps(model,
+                       monitor,
+                       report.mean_tractions(),
+                       [this](const std::string &name) {
+                         return folder.file(name);
+                       });
     return summary;
   }
 } // namespace coapt

@@ -1,4 +1,5 @@
 #include <coapt/base/units.h>
+#include <coapt/io/closure_figures.h>
 #include <coapt/io/valve_report.h>
 
 #include <algorithm>
@@ -28,7 +29,12 @@ namespace coapt
       {"gap_min_mm", s.min_gap / millimetre},
       {"widest_path_mm", s.path_width / millimetre},
       {"widest_path_gap_mm", s.path_gap / millimetre},
-      {"bulging_volume_mL", s.bulging_volume / millilitre}};
+      {"bulging_volume_mL", s.bulging_volume / millilitre},
+      {"tissue_flow_mL_per_s", s.tissue_flow / millilitre},
+      {"orifice_area_mm2", s.orifice.area / square_millimetre},
+      {"orifice_disc_mm", s.orifice.disc / millimetre},
+      {"reynolds", s.reynolds},
+      {"annulus_force_N", s.annulus_force}};
     for (unsigned int c = 0; c < s.chordae_tension.size(); ++c)
       row.emplace_back("chordae_" + name_of(static_cast<ChordaClass>(c)) + "_N",
                        s.chordae_tension[c]);
@@ -46,6 +52,17 @@ namespace coapt
                {{"energy_error_relative", s.energy_error},
                 {"fluid_cells", double(cost.fluid_cells)},
                 {"steps", double(cost.steps)}});
+    return row;
+  }
+
+
+
+  std::vector<Statistics::Entry>
+  chordae_row(const ValveSample &sample, const std::vector<Chorda> &chordae)
+  {
+    std::vector<Statistics::Entry> row = {{"time_s", sample.time}};
+    for (unsigned int i = 0; i < chordae.size(); ++i)
+      row.emplace_back(chordae[i].id + "_N", sample.chorda_tension[i]);
     return row;
   }
 
@@ -76,12 +93,12 @@ namespace coapt
   ValveReport::add(const ValveSample &sample, const ValveMonitor &monitor)
   {
     samples.push_back(sample);
-    if (sample.time < end_time - window)
-      return;
     const std::vector<double> &contact = monitor.contact_pressure();
     const std::vector<double> &total   = monitor.total_traction();
     contact_pressure.resize(contact.size(), 0.);
     total_traction.resize(total.size(), 0.);
+    if (sample.time < end_time - window)
+      return;
     for (unsigned int c = 0; c < contact.size(); ++c)
       {
         contact_pressure[c] += contact[c];
@@ -127,8 +144,81 @@ namespace coapt
 
 
 
+  double
+  ValveReport::regurgitant_volume() const
+  {
+    const Closing shut = closing();
+    const auto peak    = std::max_element(samples.begin(),
+                                       samples.end(),
+                                       [](const auto &a, const auto &b) {
+                                         return a.outflow < b.outflow;
+                                       });
+    const auto start =
+      std::find_if(peak, samples.end(), [&](const ValveSample &sample) {
+        return shut.closed ? sample.time >= shut.time
+                           : sample.outflow <= 0.1 * peak->outflow;
+      });
+    if (start == samples.end())
+      return std::numeric_limits<double>::quiet_NaN();
+    const ValveSample &last = samples.back();
+    return (last.outflow_volume - start->outflow_volume) -
+      (last.swept_volume - start->swept_volume);
+  }
+
+
+
+  double
+  ValveReport::tissue_flow() const
+  {
+    double sum     = 0;
+    unsigned int n = 0;
+    for (const ValveSample &sample : samples)
+      if (sample.time >= samples.back().time - window)
+        {
+          sum += sample.tissue_flow;
+          ++n;
+        }
+    return sum / n;
+  }
+
+
+
+  MeanTractions
+  ValveReport::mean_tractions() const
+  {
+    MeanTractions result{contact_pressure, total_traction};
+    for (unsigned int c = 0; c < result.total.size(); ++c)
+      {
+        result.contact[c] /= std::max(1u, n_in_window);
+        result.total[c] /= std::max(1u, n_in_window);
+      }
+    return result;
+  }
+
+
+
   Summary
-  ValveReport::summary(const ValveMonitor &monitor,
+  ValveReport::orifice_figures(const double density) const
+  {
+    const ValveSample &last = samples.back();
+    Summary result;
+    result.set("seen_area_mm2", last.orifice.area / square_millimetre);
+    result.set("largest_disc_mm", last.orifice.disc / millimetre);
+    result.set("x_mm", last.orifice.center[0] / millimetre);
+    result.set("y_mm", last.orifice.center[1] / millimetre);
+    result.set("effective_area_mm2",
+               effective_orifice_area(leak() - tissue_flow(),
+                                      last.pressure,
+                                      density) /
+                 square_millimetre);
+    return result;
+  }
+
+
+
+  Summary
+  ValveReport::summary(const ValveModel &model,
+                       const ValveMonitor &monitor,
                        const RunCost &cost,
                        const std::vector<std::string> &warnings) const
   {
@@ -136,20 +226,18 @@ namespace coapt
     const Closing shut      = closing();
     const double none       = std::numeric_limits<double>::quiet_NaN();
 
-    std::vector<double> contact = contact_pressure, total = total_traction;
-    contact.resize(monitor.contact_pressure().size(), 0.);
-    total.resize(contact.size(), 0.);
-    for (unsigned int c = 0; c < contact.size(); ++c)
-      {
-        contact[c] /= std::max(1u, n_in_window);
-        total[c] /= std::max(1u, n_in_window);
-      }
-    const CoaptationResult belt = monitor.coaptation(contact, total);
+    const MeanTractions tractions = mean_tractions();
+    const CoaptationResult belt =
+      monitor.coaptation(tractions.contact, tractions.total);
 
     Summary result;
     result.set("sealed", shut.closed && leak() <= largest_leak);
     result.set("closing_time_s", shut.closed ? shut.time : none);
     result.set("leak_mL_per_s", leak() / millilitre);
+    result.set("leak_through_tissue_mL_per_s", tissue_flow() / millilitre);
+    result.set("leak_through_gaps_mL_per_s",
+               (leak() - tissue_flow()) / millilitre);
+    result.set("regurgitant_volume_mL", regurgitant_volume() / millilitre);
     result.set("flow_peak_mL_per_s", monitor.peak_outflow() / millilitre);
     result.set("closing_volume_mL",
                shut.closed ? shut.volume / millilitre : none);
@@ -174,6 +262,10 @@ namespace coapt
     path.set("y_mm", last.path.position[1] / millimetre);
     path.set("z_mm", last.path.position[2] / millimetre);
     result.set("widest_path", path);
+    result.set("orifice", orifice_figures(model.parameters.fluid.density));
+    result.set("segments", segment_figures(model, monitor, tractions));
+    result.set("gaps", gap_figures(model, monitor, tractions));
+    result.set("regions", region_figures(model, monitor));
 
     Summary chordae;
     for (unsigned int c = 0; c < ChordaePeaks::n_classes; ++c)
@@ -182,6 +274,14 @@ namespace coapt
         monitor.chordae_peaks().peak(static_cast<ChordaClass>(c)).tension);
     result.set("chordae_peak_N", chordae);
 
+    result.set("annulus_force_N", last.annulus_force);
+    result.set("reynolds_peak",
+               std::max_element(samples.begin(),
+                                samples.end(),
+                                [](const auto &a, const auto &b) {
+                                  return a.reynolds < b.reynolds;
+                                })
+                 ->reynolds);
     result.set("stress_mean_kPa", last.mean_stress / kilopascal);
     result.set("strain_mean", last.mean_strain);
     result.set("end_time_s", last.time);

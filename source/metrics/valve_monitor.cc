@@ -3,6 +3,8 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <coapt/metrics/bulging_volume.h>
+#include <coapt/metrics/loads.h>
+#include <coapt/metrics/surface_flux.h>
 #include <coapt/metrics/swept_volume.h>
 #include <coapt/metrics/valve_monitor.h>
 
@@ -35,6 +37,10 @@ namespace coapt
     , audit(*model.system, *model.fluid, *model.solid, *model.points)
     , peaks(model.chordae->chordae())
     , belt(model.leaflet, settings_for(model.parameters))
+    , history(model.leaflet.columns.size(),
+              model.parameters.contact.clearance,
+              model.parameters.valve.thickness)
+    , outer_faces(boundary_faces(model.leaflet.mesh.cells))
     , column_contact_pressure(model.leaflet.columns.size(), 0.)
     , column_traction(model.leaflet.columns.size(), 0.)
   {
@@ -59,6 +65,9 @@ namespace coapt
     peaks.update(t,
                  model.chordae->tensions(
                    t, X.data(), model.system->solid_velocities(y).data()));
+    const auto &contact = model.contact->state();
+    history.update(t,
+                   {contact.gap, contact.normals, points, mid_velocities(y)});
     largest_outflow = std::max(largest_outflow, outflow);
     started         = true;
     last_time       = t;
@@ -200,8 +209,86 @@ namespace coapt
                                            V.data(),
                                            y + at.multiplier())
                         .slip_rms;
+  }
+
+
+
+  void
+  ValveMonitor::measure_flow(const std::vector<double> &u,
+                             const std::vector<Tensor<1, 3>> &velocities,
+                             ValveSample &sample) const
+  {
     sample.inflow  = -model.fluid->flux(ValveModel::ventricular_end, u.data());
     sample.outflow = model.fluid->flux(ValveModel::atrial_end, u.data());
+    sample.swept_flow = swept_rate(surface_points, velocities, model.surface);
+
+    // Where leaflets lie side by side, they part ventricle and film, not
+    // ventricle and atrium.
+    const std::vector<bool> apposed = belt.apposed(model.contact->state().gap);
+    std::vector<std::array<unsigned int, 3>> parting;
+    for (const auto &[a, b, c] : model.surface)
+      if (!apposed[a] && !apposed[b] && !apposed[c])
+        parting.push_back({{a, b, c}});
+    sample.tissue_flow = flux_through_surface(
+      *model.fluid, u, surface_points, velocities, parting, model.communicator);
+    sample.reynolds = reynolds_number(sample.outflow,
+                                      M_PI * model.lumen.semi_axis_x() *
+                                        model.lumen.semi_axis_y(),
+                                      model.fluid->parameters().density,
+                                      model.fluid->parameters().viscosity);
+  }
+
+
+
+  void
+  ValveMonitor::measure_support(const std::vector<double> &X,
+                                const std::vector<double> &V,
+                                ValveSample &sample) const
+  {
+    std::vector<double> force(X.size(), 0.);
+    model.solid->add_forces(X.data(), V.data(), force.data());
+    dealii::Utilities::MPI::sum(force, model.communicator, force);
+    sample.annulus_force =
+      force_on_supports(model.leaflet.pinned, force).norm();
+  }
+
+
+
+  std::vector<Tensor<1, 3>>
+  ValveMonitor::mid_velocities(const double *y) const
+  {
+    std::vector<Tensor<1, 3>> result;
+    for (const Point<3> &v :
+         model.mid_surface(model.system->solid_velocities(y)))
+      result.push_back(v);
+    return result;
+  }
+
+
+
+  std::vector<Point<3>>
+  ValveMonitor::annulus() const
+  {
+    std::vector<Point<3>> result;
+    for (const unsigned int column : model.leaflet.annulus_columns)
+      result.push_back(surface_points[column]);
+    return result;
+  }
+
+
+
+  std::array<double, 4>
+  ValveMonitor::bulging_by_region() const
+  {
+    // Two triangles for each quadrilateral, in their order.
+    std::array<std::vector<std::array<unsigned int, 3>>, 4> parts;
+    for (unsigned int i = 0; i < model.surface.size(); ++i)
+      parts[static_cast<unsigned int>(model.leaflet.quad_region[i / 2])]
+        .push_back(model.surface[i]);
+    std::array<double, 4> result;
+    for (unsigned int i = 0; i < 4; ++i)
+      result[i] = bulging_volume(annulus(), surface_points, parts[i]);
+    return result;
   }
 
 
@@ -215,10 +302,11 @@ namespace coapt
     const std::vector<double> tensions =
       model.chordae->tensions(t, X.data(), V.data());
     sample.chordae_tension = peaks.class_tensions(tensions);
+    sample.chorda_tension  = tensions;
 
     sample.point_spacing = model.point_spacing(X);
 
-    std::vector<double> stress, strain, jacobian;
+    std::vector<double> jacobian;
     model.solid->cell_results(X.data(), stress, strain, jacobian);
     double volume = 0;
     for (unsigned int c = 0; c < stress.size(); ++c)
@@ -231,16 +319,17 @@ namespace coapt
     sample.mean_stress /= volume;
     sample.mean_strain /= volume;
 
-    std::vector<Tensor<1, 3>> velocities;
-    for (const Point<3> &v : model.mid_surface(V))
-      velocities.push_back(v);
-    sample.swept_flow = swept_rate(surface_points, velocities, model.surface);
-
-    std::vector<Point<3>> annulus;
-    for (const unsigned int column : model.leaflet.annulus_columns)
-      annulus.push_back(surface_points[column]);
     sample.bulging_volume =
-      bulging_volume(annulus, surface_points, model.surface);
+      bulging_volume(annulus(), surface_points, model.surface);
+    measure_support(X, V, sample);
+
+    std::vector<Point<3>> nodes;
+    for (unsigned int i = 0; i < X.size(); i += 3)
+      nodes.emplace_back(X[i], X[i + 1], X[i + 2]);
+    sample.orifice =
+      seen_orifice(nodes, outer_faces, [this](const Point<3> &x) {
+        return model.lumen.inside(x);
+      });
 
     Point<3> lower = model.lumen.lower(), upper = model.lumen.upper();
     double bottom = surface_points[0][2], top = bottom;
@@ -286,6 +375,7 @@ namespace coapt
     sample.outflow_volume = outflow_volume;
     sample.swept_volume   = total_swept;
     measure_noise(y, sample);
+    measure_flow(model.system->local_velocity(y), mid_velocities(y), sample);
     measure_solid(t, X, V, sample);
 
     measure_tractions(y, X);

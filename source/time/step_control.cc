@@ -16,12 +16,6 @@ namespace coapt
                       "0.8",
                       Double(0.01, 1.),
                       "Step length over the smallest stability limit (-).");
-    prm.declare_entry("Solid bound factor",
-                      "1.5",
-                      Double(1., 2.),
-                      "Stability limit of the solid over what the stiffest of "
-                      "its elements would bear alone (-). For HGO it is 1.6 "
-                      "to 1.7.");
     prm.declare_entry("Largest step",
                       "1e-4",
                       Double(1e-12, 1.),
@@ -46,7 +40,6 @@ namespace coapt
   {
     prm.enter_subsection("Time");
     safety       = prm.get_double("Step safety");
-    solid_factor = prm.get_double("Solid bound factor");
     max_step     = prm.get_double("Largest step");
     interval     = prm.get_integer("Steps between limits");
     sampling     = prm.get_integer("Steps between samples");

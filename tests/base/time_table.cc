@@ -52,6 +52,9 @@ check_interpolation()
     error = std::max(error, std::abs(line(t) - (1 + 2 * t)));
   check("straight line is exact", error < 1e-13, error);
 
+  check("largest magnitude",
+        TimeTable({0, 1, 2}, {1, -3, 2}).largest_magnitude() == 3);
+
   // a step up and a plateau: between its neighbours everywhere
   const TimeTable step({0, 1, 1.1, 2, 5}, {0, 0, 10, 10, 4});
   bool monotone = true;

@@ -7,6 +7,7 @@
 #include "tests.h"
 
 #include <limits>
+#include <memory>
 
 using namespace coapt;
 using dealii::Point;
@@ -102,7 +103,9 @@ namespace
   }
 
   // A block on a pinned plane, gravity tilted by the angle: it rests below
-  // tan(angle) = mu, and slides with g (sin - mu cos) above.
+  // tan(angle) = mu, and slides with g (sin - mu cos) above. The mean of the
+  // second half of the time counts, since first the spring of friction is
+  // loaded.
   double
   slide(const double angle, const double duration)
   {
@@ -132,8 +135,11 @@ namespace
 
     const double dt            = 20e-6;
     const unsigned int n_steps = std::lround(duration / dt);
+    double half_way            = 0;
     for (unsigned int step = 0; step < n_steps; ++step)
       {
+        if (step == n_steps / 2)
+          half_way = sheets.mean_velocity(false)[0];
         for (unsigned int n = 0; n < sheets.mass.size(); ++n)
           if (!sheets.leaflet.pinned[n])
             {
@@ -149,7 +155,7 @@ namespace
         for (unsigned int d = 0; d < 3; ++d)
           if (sheets.V[3 * n + d] != 0)
             return 1e300;
-    return sheets.mean_velocity(false)[0] / (duration * g);
+    return (sheets.mean_velocity(false)[0] - half_way) / (0.5 * duration * g);
   }
 
   void
@@ -243,6 +249,151 @@ namespace
                    0.02);
   }
 
+  /** A sheet at a gap above an equal one that is pinned. */
+  struct PressedSheet
+  {
+    PressedSheet(const ContactParameters &parameters, const double gap)
+    {
+      for (const bool pinned : {true, false})
+        sheets.add_rectangle({{6, 6}},
+                             Point<3>(0, 0, pinned ? 0 : 5e-3),
+                             {{6e-3, 6e-3}},
+                             pinned);
+      contact = std::make_unique<MidSurfaceContact>(sheets.leaflet,
+                                                    sheets.mass,
+                                                    Sheets::density,
+                                                    parameters,
+                                                    MPI_COMM_WORLD);
+      for (unsigned int n = 0; n < sheets.mass.size(); ++n)
+        if (!sheets.leaflet.pinned[n])
+          sheets.X[3 * n + 2] += Sheets::thickness + gap - 5e-3;
+    }
+
+    /** Moves the sheet along the surface during a step and returns the shear
+     * force per area on it (Pa). */
+    double
+    shear(const double speed, const double dt)
+    {
+      sheets.V.assign(sheets.V.size(), 0.);
+      for (unsigned int n = 0; n < sheets.mass.size(); ++n)
+        if (!sheets.leaflet.pinned[n])
+          sheets.V[3 * n] = speed;
+      sheets.drift(dt);
+      friction_work += dt *
+        contact->apply_impulse(sheets.X.data(), sheets.V.data(), dt)
+          .friction_power;
+      return (sheets.mean_velocity(false)[0] - speed) * Sheets::density *
+        Sheets::thickness / dt;
+    }
+
+    /** Pressure in the middle (Pa). */
+    double
+    pressure(const double dt)
+    {
+      contact->clear_accumulators();
+      contact->apply_impulse(sheets.X.data(), sheets.V.data(), dt);
+      const unsigned int middle = 49 + 24;
+      return contact->state().pressure_impulse[middle] / dt;
+    }
+
+    Sheets sheets;
+    std::unique_ptr<MidSurfaceContact> contact;
+    double friction_work = 0;
+  };
+
+  void
+  laws()
+  {
+    const double dt = 1e-7, clearance = 0.4e-3;
+    ContactParameters parameters;
+    parameters.clearance = clearance;
+    const auto pressure  = [&](const double gap) {
+      return PressedSheet(parameters, gap).pressure(dt);
+    };
+    check_relative("linear law",
+                   pressure(0.35e-3),
+                   parameters.max_stiffness * 0.05e-3,
+                   1e-9);
+    check("nothing at the clearance", pressure(clearance + 1e-9) == 0);
+
+    parameters.law               = ContactLaw::exponential;
+    parameters.pressure_at_touch = 20e3;
+    check_relative("exponential law where surfaces touch",
+                   pressure(0),
+                   20e3,
+                   1e-3);
+    const double s = 0.7;
+    check_relative("exponential law at a gap",
+                   pressure(clearance * (1 - s)),
+                   20e3 * s * std::expm1(s) / std::expm1(1.),
+                   2e-3);
+    parameters.max_stiffness = 1e7;
+    check_relative("no law is steeper than the penalty",
+                   pressure(-0.1e-3) - pressure(-0.05e-3),
+                   1e7 * 0.05e-3,
+                   1e-6);
+
+    parameters           = ContactParameters();
+    parameters.law       = ContactLaw::table;
+    parameters.clearance = clearance;
+    parameters.table     = {{clearance, 0.}, {0.2e-3, 2e3}, {0., 20e3}};
+    check_relative("table, first piece", pressure(0.3e-3), 1e3, 1e-9);
+    check_relative("table, second piece", pressure(0.05e-3), 15.5e3, 1e-9);
+    check_relative("table, beyond its end", pressure(-0.02e-3), 21.8e3, 1e-9);
+  }
+
+  void
+  sticking()
+  {
+    ContactParameters parameters;
+    parameters.clearance = 0.3e-3;
+    parameters.damping   = 0;
+    const double dt = 1e-7, depth = 2e-6, step = 1e-8;
+    const double stiffness =
+      parameters.stick_stiffness * parameters.max_stiffness;
+    const double bound = parameters.friction * parameters.max_stiffness * depth;
+    const double reach = bound / stiffness;
+
+    // Over nodes and edges of the facets below, since the columns begin
+    // exactly above nodes.
+    PressedSheet sheet(parameters, parameters.clearance - depth);
+    const auto move = [&](const double distance) {
+      double shear         = 0;
+      const unsigned int n = std::lround(std::abs(distance) / step);
+      for (unsigned int i = 0; i < n; ++i)
+        shear = sheet.shear(distance / (n * dt), dt);
+      return shear;
+    };
+    // Columns beyond the rim of the other sheet push a little sideways.
+    const double rim = 3e-3;
+    check_relative("shear of a sticking sheet",
+                   move(0.5 * reach),
+                   -0.5 * bound,
+                   rim);
+    move(-1.2 * reach);
+    check("no shear where it has begun to stick",
+          std::abs(move(0.7 * reach)) < rim * bound);
+    check_relative("shear of a sliding sheet", move(4 * reach), -bound, rim);
+    check_relative("it unloads along the spring",
+                   move(-0.5 * reach),
+                   -0.5 * bound,
+                   2 * rim);
+    move(-0.5 * reach);
+    const double work = sheet.friction_work;
+    check_relative("work of a sliding stroke",
+                   -work / (36e-6 * bound * 3 * reach),
+                   1.,
+                   0.02);
+
+    double least = 0;
+    for (unsigned int i = 0; i < 400; ++i)
+      {
+        sheet.shear(noise() * step / dt * 20, dt);
+        least = std::max(least, sheet.friction_work - work);
+      }
+    check("friction takes energy in any motion", least < 1e-9 * -work, least);
+  }
+
   void
   input()
   {
@@ -260,9 +411,32 @@ namespace
             equal(parameters.max_stiffness, defaults.max_stiffness) &&
             equal(parameters.damping, defaults.damping) &&
             equal(parameters.friction, defaults.friction) &&
+            equal(parameters.stick_stiffness, defaults.stick_stiffness) &&
+            equal(parameters.pressure_at_touch, defaults.pressure_at_touch) &&
+            parameters.law == defaults.law &&
             parameters.search_interval == defaults.search_interval &&
             equal(parameters.exclusion_distance, defaults.exclusion_distance) &&
             equal(parameters.search_margin, defaults.search_margin));
+
+    const auto error_of_table = [&](const std::string &table) {
+      return error_of([&]() {
+        prm.enter_subsection("Contact");
+        prm.set("Law", std::string("table"));
+        prm.set("Table", table);
+        prm.leave_subsection();
+        parameters.parse_parameters(prm);
+      });
+    };
+    for (const std::string table : {"0.3: 1, 0: 2",
+                                    "0.3: 0, 0.4: 2",
+                                    "0.3: 0, 0.1: 2, 0: 1",
+                                    "0.3: 0, 0.1",
+                                    "0.3: 0, a: 2"})
+      check("table '" + table + "' is refused",
+            error_of_table(table).find("Contact: Table is '") == 0);
+    check("a table sets the clearance",
+          error_of_table("0.3: 0, 0: 2") == "none" &&
+            equal(parameters.clearance, 0.3e-3));
 
     Sheets sheets;
     sheets.add_rectangle({{2, 2}}, Point<3>(), {{2e-3, 2e-3}}, false);
@@ -305,5 +479,7 @@ main(int argc, char **argv)
   conservation();
   coulomb();
   bounce();
+  laws();
+  sticking();
   input();
 }

@@ -171,6 +171,44 @@ namespace
     check("gaps while moving", error < 1e-12 && near > 500, error);
   }
 
+  /** With as many elements within the radius, a column has as many
+   * candidates, however many columns there are. */
+  void
+  cost()
+  {
+    std::vector<double> candidates_per_column;
+    for (const unsigned int n : {20u, 40u, 80u})
+      {
+        Sheets sheets;
+        for (const double side : {-1., 1.})
+          sheets.add_rectangle({{n, n}},
+                               Point<3>(0, 0, side * 0.5 * 20e-3 / n),
+                               {{20e-3, 20e-3}},
+                               false);
+        const MidSurface surface(sheets.leaflet, sheets.mass);
+        std::vector<Point<3>> points(surface.n_columns());
+        surface.positions(sheets.X.data(), points);
+        std::vector<unsigned int> columns(points.size());
+        std::iota(columns.begin(), columns.end(), 0);
+        CandidateSearch search(points,
+                               surface.triangles(),
+                               0.1 * 20e-3 / n,
+                               columns);
+        search.find(points, 2.5 * 20e-3 / n);
+        double sum = 0;
+        for (const unsigned int c : columns)
+          sum += search.candidates(c).size();
+        candidates_per_column.push_back(sum / columns.size());
+      }
+    // Columns at the rim have fewer; their share halves each time.
+    const auto growth = [&](const unsigned int i) {
+      return candidates_per_column[i + 1] / candidates_per_column[i] - 1;
+    };
+    check("work of a column does not grow with their number",
+          growth(1) < 0.06 && growth(1) < 0.55 * growth(0),
+          growth(1));
+  }
+
   /** The velocities must not depend on the number of ranks: the communicator
    * of one rank is the reference. */
   void
@@ -225,5 +263,6 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   candidates();
   gaps_while_moving();
+  cost();
   ranks();
 }

@@ -1,6 +1,6 @@
 // Bodies of simple shape: volumes, orientation, faces.
 #include <coapt/geometry/body_shapes.h>
-#include <coapt/geometry/surface_distance.h>
+#include <coapt/geometry/coupling_lattice.h>
 
 #include <functional>
 #include <map>
@@ -119,11 +119,10 @@ namespace
                    1e-12);
   }
 
-  /** The points of a box 1 long, 0.2 thick and 0.5 wide that are 0.05 away
-   * from all of its sides. */
+  /** Points on the surface of a box 1 long, 0.2 thick and 0.5 wide. */
   template <int dim>
   void
-  check_margin(const std::string &name)
+  check_surface_points(const std::string &name)
   {
     StripShape<dim> shape;
     shape.begin                 = Point<2>(0, 0.1);
@@ -131,28 +130,45 @@ namespace
     shape.thickness             = Tensor<1, 2>({0., 0.2});
     shape.z_upper               = 0.5;
     const ShapedBody<dim> strip = strip_body(shape, 0.1);
-    const auto samples          = simplex_lattice(strip.mesh, 0.03);
-    const double upper[]        = {1, 0.2, 0.5};
-    const double margin         = 0.05;
-    unsigned int expected       = 0;
+    const double spacing = 0.05, depth = 0.01;
+    const auto samples   = surface_lattice(strip.mesh, spacing, depth);
+    const double upper[] = {1, 0.2, 0.5};
+    double volume = 0, farthest = 0;
+    std::vector<Point<dim>> positions;
     for (const auto &sample : samples)
       {
+        volume += sample.volume;
+        Point<dim> x;
+        for (unsigned int a = 0; a <= dim; ++a)
+          x += sample.barycentric[a] *
+            strip.mesh.points[strip.mesh.cells[sample.cell][a]];
         double distance = 1;
         for (unsigned int d = 0; d < dim; ++d)
-          {
-            double x = 0;
-            for (unsigned int a = 0; a <= dim; ++a)
-              x += sample.barycentric[a] *
-                strip.mesh.points[strip.mesh.cells[sample.cell][a]][d];
-            distance = std::min({distance, x, upper[d] - x});
-          }
-        expected += distance >= margin;
+          distance = std::min({distance, x[d], upper[d] - x[d]});
+        farthest = std::max(farthest, std::abs(distance));
+        positions.push_back(x);
       }
-    const unsigned int n =
-      away_from_surface(strip.mesh, samples, margin).size();
-    check(name + ", points away from the surface",
-          n == expected && n > 0 && n < samples.size(),
-          n);
+    const double area = dim == 2 ? 2.4 : 2 * (0.2 + 0.5 + 0.1);
+    check_relative(name + ", layer below its surface",
+                   volume,
+                   area * depth,
+                   1e-12);
+    check(name + ", points on its surface", farthest < 1e-12);
+    double nearest = 1, uncovered = 0;
+    for (const auto &p : positions)
+      for (const auto &q : positions)
+        if (&p != &q)
+          nearest = std::min(nearest, p.distance(q));
+    for (const auto &p : strip.mesh.points)
+      if (p[1] < 1e-9) // on the surface
+        {
+          double distance = 1;
+          for (const auto &q : positions)
+            distance = std::min(distance, p.distance(q));
+          uncovered = std::max(uncovered, distance);
+        }
+    check(name + ", distance between points", nearest >= spacing, nearest);
+    check(name + ", surface near a point", uncovered < 1.1 * spacing);
   }
 } // namespace
 
@@ -165,6 +181,6 @@ main(int argc, char *argv[])
   check_strip<2>("strip, thickness against x", -1);
   check_strip<3>("plate", 1);
   check_strip<3>("plate, thickness against x", -1);
-  check_margin<2>("strip");
-  check_margin<3>("plate");
+  check_surface_points<2>("strip");
+  check_surface_points<3>("plate");
 }

@@ -22,7 +22,8 @@ function(run ranks)
 endfunction()
 
 function(check_files folder)
-  foreach(name coapt.log statistics.csv parameters.prm parameters-as-read.prm
+  foreach(name coapt.log statistics.csv chordae.csv contact_map.vtu contact_map.csv
+      coaptation.csv pressure_distribution.csv sections.csv parameters.prm parameters-as-read.prm
       fields/fluid.pvd fields/leaflet.pvd fields/chordae.pvd fields/fluid_00000.pvtu
       fields/fluid_00002.pvtu fields/leaflet_00002.vtu fields/chordae_00002.vtu)
     require("${name} is missing in ${folder}" EXISTS ${folder}/${name})
@@ -53,7 +54,8 @@ function(check_summary file)
   file(READ ${file} text)
   foreach(key sealed closing_time_s leak_mL_per_s flow_peak_mL_per_s closing_volume_mL
       bulging_volume_mL coaptation_area_mm2 coaptation_force_N contact_force_N
-      coaptation_pressure_max_kPa stress_mean_kPa strain_mean fluid_cells solid_tets
+      coaptation_pressure_max_kPa leak_through_tissue_mL_per_s leak_through_gaps_mL_per_s
+      orifice segments gaps regions annulus_force_N reynolds_peak stress_mean_kPa strain_mean fluid_cells solid_tets
       steps rhs_evaluations wall_s core_hours energy_error_relative warnings)
     string(JSON value ERROR_VARIABLE error GET "${text}" ${key})
     require("summary.json: ${key}: ${error}" NOT error)

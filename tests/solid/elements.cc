@@ -2,6 +2,7 @@
 // energy, frequency bound, prestretch, and the division among ranks.
 
 #include <coapt/base/exceptions.h>
+#include <coapt/solid/largest_frequency.h>
 #include <coapt/solid/solid_operator.h>
 
 #include <algorithm>
@@ -288,6 +289,8 @@ check_all(const std::string &material, const unsigned int n)
   locked[dim - 1][dim - 1] /= (dim == 3 ? 1.44 : 1.2);
   const auto stretched = shaken(mapped(mesh, locked), 2e-5);
   const auto bound     = solid.step_bound(crumpled.data());
+  const std::vector<bool> pinned(mesh.points.size(), false);
+  LargestFrequency<dim> frequency(solid, mesh, pinned, MPI_COMM_WORLD);
   for (const auto &state : {crumpled, stretched})
     {
       const double omega    = solid.max_frequency(state.data());
@@ -295,6 +298,14 @@ check_all(const std::string &material, const unsigned int n)
       check(name + "frequency is bounded",
             measured <= omega && omega < 3 * measured,
             omega / measured);
+      // What limits has changed; a few calls find it.
+      double estimate = 0;
+      for (unsigned int i = 0; i < 5; ++i)
+        estimate = frequency.update(state.data()).omega;
+      const double expected = std::max(1.05 * measured, omega / 1.8);
+      check(name + "frequency is estimated",
+            std::abs(estimate / expected - 1) < 0.05,
+            estimate / measured);
     }
 
   // The same on one rank.

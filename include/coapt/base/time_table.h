@@ -65,6 +65,10 @@ namespace coapt
       return value(time);
     }
 
+    /** The largest magnitude of all values, in SI. */
+    double
+    largest_magnitude() const;
+
     /** Time of the last row (s). */
     double
     last_time() const

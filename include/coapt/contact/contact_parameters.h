@@ -3,14 +3,41 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <vector>
+
 namespace coapt
 {
+  /** How the pressure of contact grows when a gap closes. */
+  enum class ContactLaw
+  {
+    linear,
+    exponential,
+    table
+  };
+
   /** Parameters of the leaflet's contact with itself (subsection "Contact"). */
   struct ContactParameters
   {
     /** Contact begins at this gap between the surfaces, that is, at a distance
      * of thickness plus clearance between mid-surfaces (m). */
     double clearance = 0.5e-3;
+
+    /** The pressure as a function of the gap. */
+    ContactLaw law = ContactLaw::linear;
+
+    /** Pressure (Pa) where surfaces touch, of the exponential law. */
+    double pressure_at_touch = 10e3;
+
+    /** A gap (m) and the pressure (Pa) there. */
+    struct GapAndPressure
+    {
+      double gap;
+      double pressure;
+    };
+
+    /** The table of the law, from the clearance without pressure on to
+     * smaller gaps; it goes on straight beyond its end. */
+    std::vector<GapAndPressure> table;
 
     /** Penalty stiffness over density x element size / (time step)^2. */
     double stiffness_factor = 0.2;
@@ -23,6 +50,9 @@ namespace coapt
 
     /** Coulomb's coefficient of friction. */
     double friction = 0.2;
+
+    /** Stiffness against slip before sliding, over the normal one. */
+    double stick_stiffness = 0.5;
 
     /** Steps between two measurements of gaps beyond the clearance, and between
      * two looks at whether candidates should be renewed early. */
@@ -40,9 +70,14 @@ namespace coapt
     static void
     declare_parameters(dealii::ParameterHandler &prm);
 
-    /** Reads them. */
+    /** Reads them; throws InputError if the table is not one of falling gaps
+     * and pressures that do not fall, from zero on. */
     void
     parse_parameters(dealii::ParameterHandler &prm);
+
+  private:
+    void
+    parse_table(const std::string &text);
   };
 } // namespace coapt
 

@@ -127,7 +127,13 @@ namespace coapt
                 const Encounter &encounter,
                 const double *V,
                 const double stiffness,
-                const double dt);
+                const double dt,
+                ElasticSlip &history);
+
+    /** The history of the i-th own column that continues in a contact with
+     * this normal, a new one if there is none. */
+    ElasticSlip
+    history_of(const unsigned int i, const dealii::Tensor<1, 3> &normal) const;
 
     void
     treat_column(const unsigned int i,
@@ -142,6 +148,7 @@ namespace coapt
     const double thickness;
     const MPI_Comm communicator;
 
+    const PressureLaw law;
     MidSurface surface;
     std::vector<unsigned int> own_columns;
     CandidateSearch search;
@@ -149,6 +156,9 @@ namespace coapt
     double displacement = 0;
     bool measure_all    = true;
     std::vector<double> least_distance; // lower bound, by own column
+
+    // Of friction, by own column: with the nearest partner and the opposite.
+    std::vector<std::array<ElasticSlip, 2>> histories;
     unsigned int steps_since_check = 0;
 
     std::vector<dealii::Point<3>> points;

@@ -83,6 +83,13 @@ namespace coapt
     unsigned int
     n_active_cells() const;
 
+    /** Relaxation time (s) of the multiplier at which the leaflet leaks no more
+     * at @p time (s) than with Coupling/Largest relaxation time at the largest
+     * ventricular pressure: the leak grows with pressure and with the square
+     * of this time. */
+    double
+    largest_relaxation_time(const double time) const;
+
     /** Longest step (s) for which the largest contact stiffness is stable. */
     double
     contact_step_limit() const;

@@ -7,6 +7,7 @@
 #include <coapt/geometry/body_shapes.h>
 #include <coapt/io/statistics.h>
 #include <coapt/metrics/energy_audit.h>
+#include <coapt/solid/largest_frequency.h>
 #include <coapt/time/step_control.h>
 
 #include <deal.II/base/tensor.h>
@@ -59,7 +60,7 @@ namespace coapt
 
     /** Limits of the step of all parts. Collective. */
     std::vector<StepLimit>
-    step_limits(const double *y) const;
+    step_limits(const double *y);
 
     /** The figures of the bodies at time @p t, forces and leak as means since
      * the last call. Collective. */
@@ -85,8 +86,7 @@ namespace coapt
     ShapedBody<dim>
     make_bodies();
 
-    /** Where the bodies are coupled with the fluid. Throws InputError if
-     * nothing is left of a body. */
+    /** Where the bodies are coupled with the fluid. */
     std::vector<SamplePoint<dim>>
     coupling_lattice() const;
 
@@ -124,6 +124,8 @@ namespace coapt
     CouplingPoints<dim> points;
     Timing timing;
     CoupledSystem<dim> system;
+    std::vector<bool> held;
+    LargestFrequency<dim> solid_frequency;
     EnergyAudit<dim> audit;
     std::vector<MaterialPoint<dim>> displacement_points;
     std::vector<double> initial_volumes; // of the bodies

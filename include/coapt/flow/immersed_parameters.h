@@ -38,9 +38,9 @@ namespace coapt
     /** Edges of the elements over those of the smallest fluid cells. */
     double element_size = 1;
 
-    /** Width of the margin inside of the bodies' surfaces that is not coupled,
-     * over the edge of the smallest fluid cells. */
-    double margin = 0;
+    /** Whether the bodies are coupled with the fluid at their surfaces only
+     * and not in their whole volume. */
+    bool couples_surface = false;
 
     /** Rate (1/s) at which the bodies' velocities would decay by a drag in
      * proportion to their mass; it leads to a steady state. */

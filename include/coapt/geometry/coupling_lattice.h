@@ -52,6 +52,26 @@ namespace coapt
   template <int dim>
   std::vector<SamplePoint<dim>>
   simplex_lattice(const SimplexMesh<dim> &mesh, double spacing);
+
+  /**
+   * Points on the surface of any mesh, for a body that is several fluid cells
+   * thick: none nearer to another than @p spacing (m), and none of the surface
+   * further away from all than that. Each stands for the part of the surface
+   * that is nearest to it, with a layer of @p depth (m) below it.
+   *
+   * Where a body's interior is coupled, too, the fluid's nodes around it are
+   * all fixed, whatever the place of the surface between them; a surface with
+   * about one point in each cell leaves the velocity across it linear, and the
+   * flow feels displacements far below a cell (compare the spacing of markers
+   * in Uhlmann 2005, section 3).
+   */
+  template <int dim>
+  std::vector<SamplePoint<dim>>
+  surface_lattice(const SimplexMesh<dim> &mesh, double spacing, double depth);
+
+  /** Throws InputError unless the @p spacing (m) of points is positive. */
+  void
+  check_point_spacing(double spacing);
 } // namespace coapt
 
 #endif

@@ -12,7 +12,7 @@ namespace coapt
     double spacing = 0.75;
 
     /** In-plane stretch of the leaflet that the spacing allows for. */
-    double expected_stretch = 1.35;
+    double expected_stretch = 1.25;
 
     /** Least number of layers of coupling points through the thickness. */
     unsigned int min_layers = 2;
@@ -20,8 +20,8 @@ namespace coapt
     /** Relaxation time of the multiplier over the time step. */
     double relaxation_steps = 2.;
 
-    /** Largest relaxation time (s); bounds the leak, which grows with its
-     * square, and with it the time step. */
+    /** Largest relaxation time (s), for a valve at the largest pressure;
+     * bounds the leak, which grows with its square, and with it the step. */
     double max_relaxation_time = 16e-6;
 
     /** Damping ratio zeta of the relaxed constraint. */

@@ -44,8 +44,8 @@ namespace coapt
     void
     finish(const double t, const double *y);
 
-    /** Writes summary.json and returns it; on other ranks than the first, it
-     * is empty. */
+    /** Writes summary.json and the maps of the closed valve, and returns the
+     * former; on other ranks than the first, it is empty. */
     Summary
     write_summary(const RunCost &cost) const;
 
@@ -63,7 +63,7 @@ namespace coapt
     ValveMonitor &monitor;
     Log &log;
     Console console;
-    Statistics statistics;
+    Statistics statistics, chordae_table;
     FieldsWriter fields;
     ValveReport report;
     double fields_interval;

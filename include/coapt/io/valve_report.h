@@ -1,6 +1,7 @@
 #ifndef coapt_io_valve_report_h
 #define coapt_io_valve_report_h
 
+#include <coapt/io/closure_maps.h>
 #include <coapt/io/statistics.h>
 #include <coapt/io/summary.h>
 #include <coapt/metrics/valve_monitor.h>
@@ -26,6 +27,11 @@ namespace coapt
   /** A row of statistics.csv: names with units, and values in them. */
   std::vector<Statistics::Entry>
   statistics_row(const ValveSample &sample, const RunCost &cost);
+
+  /** A row of chordae.csv: the time and the tension (N) of each chorda, by its
+   * name. */
+  std::vector<Statistics::Entry>
+  chordae_row(const ValveSample &sample, const std::vector<Chorda> &chordae);
 
   /**
    * Collects the samples of a run and draws the verdict from them.
@@ -56,9 +62,14 @@ namespace coapt
 
     /** All figures of the run until the last sample. */
     Summary
-    summary(const ValveMonitor &monitor,
+    summary(const ValveModel &model,
+            const ValveMonitor &monitor,
             const RunCost &cost,
             const std::vector<std::string> &warnings) const;
+
+    /** Mean tractions over the window. */
+    MeanTractions
+    mean_tractions() const;
 
   private:
     struct Closing
@@ -73,6 +84,19 @@ namespace coapt
 
     double
     leak() const;
+
+    /** Blood that has passed the valve since the leaflets met: since closing,
+     * or, in a valve that does not close, since the outflow has fallen to a
+     * tenth of its peak. */
+    double
+    regurgitant_volume() const;
+
+    /** Flow of blood through the tissue, mean over the window. */
+    double
+    tissue_flow() const;
+
+    Summary
+    orifice_figures(const double density) const;
 
     const double end_time;
     const double cell;

@@ -2,6 +2,9 @@
 #define coapt_metrics_coaptation_h
 
 #include <coapt/geometry/leaflet.h>
+#include <coapt/metrics/belt_graph.h>
+#include <coapt/metrics/coaptation_profile.h>
+#include <coapt/metrics/leaflet_lines.h>
 
 #include <array>
 #include <vector>
@@ -59,10 +62,8 @@ namespace coapt
   };
 
   /**
-   * Measures where and how firmly the leaflets meet. Columns are grouped into
-   * lines from annulus to free edge, one for each column of the free edge, by
-   * their angle. The belt is looked for on the lines of each leaflet, which
-   * are those that touch one of its quadrilaterals.
+   * Measures where and how firmly the leaflets meet. The belt is looked for on
+   * the lines of each leaflet (LeafletLines), as a way in a graph (BeltGraph).
    */
   class Coaptation
   {
@@ -88,31 +89,53 @@ namespace coapt
     average(const std::vector<double> &values,
             const std::vector<double> &area) const;
 
+    /** Which columns coapt, by gap and averaged traction. */
+    std::vector<bool>
+    coapting(const std::vector<double> &gap,
+             const std::vector<double> &total_traction,
+             const std::vector<double> &area) const;
+
+    /** Which columns lie beside another part of the leaflets, pressed or not.
+     */
+    std::vector<bool>
+    apposed(const std::vector<double> &gap) const;
+
+    /** Position by position from left to right, for the mid-surface @p points
+     * (m) of the columns: of the anterior and the posterior leaflet. */
+    std::array<std::vector<LineCoaptation>, 2>
+    profile(const std::vector<double> &gap,
+            const std::vector<double> &total_traction,
+            const std::vector<double> &area,
+            const std::vector<dealii::Point<3>> &points) const;
+
+    /** Gaps in the belts of the anterior and the posterior leaflet. */
+    std::array<std::vector<BeltGap>, 2>
+    gaps(const std::vector<double> &gap,
+         const std::vector<double> &total_traction,
+         const std::vector<double> &area,
+         const std::vector<dealii::Point<3>> &points) const;
+
+    /** The lines from annulus to free edge. */
+    const LeafletLines &
+    leaflet_lines() const
+    {
+      return lines;
+    }
+
   private:
-    /** Lines of a leaflet in order, each with its columns. */
-    using Lines = std::vector<std::vector<unsigned int>>;
-
     void
-    set_up_neighbourhoods(const Leaflet &leaflet);
-
-    void
-    set_up_lines(const Leaflet &leaflet);
-
-    void
-    set_up_heights(const Leaflet &leaflet, const Lines &all_lines);
+    set_up_neighbourhoods();
 
     LeafletCoaptation
-    belt(const Lines &lines, const std::vector<bool> &coapts) const;
-
-    unsigned int
-    missing_columns(const Lines &lines, const std::vector<bool> &coapts) const;
+    belt(const LeafletLines::Lines &of_leaflet,
+         const std::vector<bool> &coapts) const;
 
     const CoaptationSettings settings;
 
+    const LeafletLines lines;
+    const BeltGraph graph;
+    std::vector<dealii::Point<3>> reference;              // of columns
     std::vector<std::vector<unsigned int>> neighbourhood; // within the radius
-    std::vector<std::vector<unsigned int>> adjacent;      // share an element
-    std::vector<double> height; // of a line, by column, m
-    Lines anterior_lines, posterior_lines;
   };
 } // namespace coapt
 

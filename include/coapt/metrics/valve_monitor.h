@@ -5,7 +5,9 @@
 #include <coapt/geometry/widest_path.h>
 #include <coapt/metrics/chordae_peaks.h>
 #include <coapt/metrics/coaptation.h>
+#include <coapt/metrics/contact_history.h>
 #include <coapt/metrics/energy_audit.h>
+#include <coapt/metrics/orifice.h>
 
 #include <vector>
 
@@ -29,6 +31,9 @@ namespace coapt
     double path_width          = 0; // widest way, clearance counts as shut
     double path_gap            = 0; // the same between the surfaces
     double bulging_volume      = 0;
+    double tissue_flow         = 0; // through tissue that is not apposed
+    double reynolds            = 0; // of the flow through the annulus
+    double annulus_force       = 0; // of the tissue on its support
     double largest_velocity    = 0;
     double slip_rms            = 0;
     double hourglass_rms       = 0; // away from the leaflet
@@ -40,7 +45,9 @@ namespace coapt
     EnergyAudit<3>::Works works;
     EnergyAudit<3>::Energies energies;
     std::array<double, ChordaePeaks::n_classes> chordae_tension{};
+    std::vector<double> chorda_tension; // of each
     WidestPath path;
+    Orifice orifice;
     CoaptationResult coaptation;
   };
 
@@ -90,6 +97,46 @@ namespace coapt
     }
     /** @} */
 
+    /** When the columns have touched first, and how far they have slid. */
+    const ContactHistory &
+    contact_history() const
+    {
+      return history;
+    }
+
+    /** Mid-surface at the last sample, by column (m). */
+    const std::vector<dealii::Point<3>> &
+    mid_surface() const
+    {
+      return surface_points;
+    }
+
+    /** Measures the belt of coaptation. */
+    const Coaptation &
+    coaptation() const
+    {
+      return belt;
+    }
+
+    /** Von Mises stress (Pa) and largest logarithmic strain of each cell of the
+     * solid at the last sample. @{ */
+    const std::vector<double> &
+    cell_stress() const
+    {
+      return stress;
+    }
+
+    const std::vector<double> &
+    cell_strain() const
+    {
+      return strain;
+    }
+    /** @} */
+
+    /** Bulging volume of the parts of the leaflet, by Region (m^3). */
+    std::array<double, 4>
+    bulging_by_region() const;
+
     /** Largest tension of a chorda in each class so far. */
     const ChordaePeaks &
     chordae_peaks() const
@@ -117,6 +164,23 @@ namespace coapt
     ventricular_pressure(const double *y, const std::vector<double> &X) const;
 
     void
+    measure_flow(const std::vector<double> &u,
+                 const std::vector<dealii::Tensor<1, 3>> &velocities,
+                 ValveSample &sample) const;
+
+    void
+    measure_support(const std::vector<double> &X,
+                    const std::vector<double> &V,
+                    ValveSample &sample) const;
+
+    /** Velocity of the mid-surface, by column. */
+    std::vector<dealii::Tensor<1, 3>>
+    mid_velocities(const double *y) const;
+
+    std::vector<dealii::Point<3>>
+    annulus() const;
+
+    void
     measure_noise(const double *y, ValveSample &sample) const;
 
     void
@@ -129,6 +193,8 @@ namespace coapt
     EnergyAudit<3> audit;
     ChordaePeaks peaks;
     Coaptation belt;
+    ContactHistory history;
+    std::vector<std::array<unsigned int, 3>> outer_faces; // of the mesh
 
     bool started           = false;
     double last_time       = 0;
@@ -140,6 +206,7 @@ namespace coapt
 
     std::vector<double> column_contact_pressure;
     std::vector<double> column_traction;
+    std::vector<double> stress, strain;
   };
 } // namespace coapt
 

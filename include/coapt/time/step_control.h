@@ -14,10 +14,6 @@ namespace coapt
     /** Step over the smallest stability limit. */
     double safety = 0.8;
 
-    /** Stability limit of the solid over that of its stiffest element alone:
-     * an assembled mesh is softer than that (Irons and Treharne, 1972). */
-    double solid_factor = 1.5;
-
     /** Largest step (s). */
     double max_step = 1e-4;
 

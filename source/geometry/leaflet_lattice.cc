@@ -10,17 +10,19 @@ namespace coapt
 {
   using namespace dealii;
 
+  void
+  check_point_spacing(const double spacing)
+  {
+    if (!(spacing > 0))
+      throw InputError("The spacing of coupling points is " +
+                       std::to_string(spacing * 1e3) +
+                       " mm, but must be positive.");
+  }
+
+
+
   namespace
   {
-    void
-    check_spacing(const double spacing)
-    {
-      if (!(spacing > 0))
-        throw InputError("The spacing of coupling points is " +
-                         std::to_string(spacing * 1e3) +
-                         " mm, but must be positive.");
-    }
-
     /** Signed volume of a tetrahedron. */
     double
     volume(const Point<3> &a,
@@ -194,73 +196,6 @@ namespace coapt
         samples[s].volume *= scale;
     }
 
-    /**
-     * Centroids, in barycentric coordinates, of the n^dim parts of a simplex.
-     * In the coordinates 1 >= x_1 >= ... >= x_dim >= 0 the simplex is one of
-     * the dim! parts of the unit cube; of each of the n^dim small cubes those
-     * parts belong to it whose centroid does.
-     */
-    template <int dim>
-    std::vector<std::array<double, dim + 1>>
-    part_centroids(const unsigned int n)
-    {
-      std::vector<std::array<double, dim + 1>> centroids;
-      const unsigned int n_cubes = std::lround(std::pow(n, dim));
-      for (unsigned int cube = 0; cube < n_cubes; ++cube)
-        {
-          std::array<unsigned int, dim> order;
-          std::iota(order.begin(), order.end(), 0);
-          do
-            {
-              // from the cube's lowest corner one edge after the other, in
-              // this order: the first is in dim of the dim + 1 corners, ...
-              std::array<double, dim> x;
-              unsigned int rest = cube;
-              for (unsigned int d = 0; d < dim; ++d, rest /= n)
-                x[d] = rest % n;
-              for (unsigned int d = 0; d < dim; ++d)
-                x[order[d]] += (dim - d) / (dim + 1.);
-
-              std::array<double, dim + 1> barycentric;
-              barycentric[0] = 1 - x[0] / n;
-              for (unsigned int d = 1; d < dim; ++d)
-                barycentric[d] = (x[d - 1] - x[d]) / n;
-              barycentric[dim] = x[dim - 1] / n;
-              if (*std::min_element(barycentric.begin(), barycentric.end()) > 0)
-                centroids.push_back(barycentric);
-          } while (std::next_permutation(order.begin(), order.end()));
-        }
-      return centroids;
-    }
-
-    template <int dim>
-    double
-    simplex_volume(const SimplexMesh<dim> &mesh,
-                   const std::array<unsigned int, dim + 1> &cell)
-    {
-      Tensor<2, dim> edges;
-      double factorial = 1;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          edges[d] = mesh.points[cell[d + 1]] - mesh.points[cell[0]];
-          factorial *= d + 1;
-        }
-      return std::abs(determinant(edges)) / factorial;
-    }
-
-    template <int dim>
-    double
-    longest_edge(const SimplexMesh<dim> &mesh,
-                 const std::array<unsigned int, dim + 1> &cell)
-    {
-      double longest = 0;
-      for (unsigned int a = 0; a <= dim; ++a)
-        for (unsigned int b = 0; b < a; ++b)
-          longest =
-            std::max(longest,
-                     mesh.points[cell[a]].distance(mesh.points[cell[b]]));
-      return longest;
-    }
   } // namespace
 
 
@@ -271,8 +206,8 @@ namespace coapt
                   const double stretch,
                   const unsigned int min_layers)
   {
-    check_spacing(spacing);
-    check_spacing(spacing / stretch);
+    check_point_spacing(spacing);
+    check_point_spacing(spacing / stretch);
     const unsigned int n_layers = std::max<unsigned int>(
       min_layers, std::ceil(leaflet.thickness / spacing * (1 - 1e-12)));
     const auto cells = cells_of_quads(leaflet);
@@ -281,38 +216,4 @@ namespace coapt
       fill_quad(leaflet, q, cells[q], spacing / stretch, n_layers, samples);
     return samples;
   }
-
-
-
-  template <int dim>
-  std::vector<SamplePoint<dim>>
-  simplex_lattice(const SimplexMesh<dim> &mesh, const double spacing)
-  {
-    check_spacing(spacing);
-    std::vector<SamplePoint<dim>> samples;
-    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
-      {
-        const unsigned int n = std::ceil(longest_edge(mesh, mesh.cells[cell]) /
-                                         spacing * (1 - 1e-12));
-        const auto centroids = part_centroids<dim>(n);
-        const double part =
-          simplex_volume(mesh, mesh.cells[cell]) / centroids.size();
-        for (const auto &centroid : centroids)
-          {
-            SamplePoint<dim> sample;
-            sample.cell        = cell;
-            sample.barycentric = centroid;
-            sample.volume      = part;
-            samples.push_back(sample);
-          }
-      }
-    return samples;
-  }
-
-
-
-  template std::vector<SamplePoint<2>>
-  simplex_lattice<2>(const SimplexMesh<2> &, const double);
-  template std::vector<SamplePoint<3>>
-  simplex_lattice<3>(const SimplexMesh<3> &, const double);
 } // namespace coapt

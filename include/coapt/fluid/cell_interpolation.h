@@ -1,5 +1,5 @@
-#ifndef coapt_flow_cell_interpolation_h
-#define coapt_flow_cell_interpolation_h
+#ifndef coapt_fluid_cell_interpolation_h
+#define coapt_fluid_cell_interpolation_h
 
 #include <coapt/fluid/fluid_operator.h>
 

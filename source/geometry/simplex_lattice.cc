@@ -1,0 +1,252 @@
+#include <coapt/geometry/coupling_lattice.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace coapt
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /**
+     * Centroids, in barycentric coordinates, of the n^dim parts of a simplex.
+     * In the coordinates 1 >= x_1 >= ... >= x_dim >= 0 the simplex is one of
+     * the dim! parts of the unit cube; of each of the n^dim small cubes those
+     * parts belong to it whose centroid does.
+     */
+    template <int dim>
+    std::vector<std::array<double, dim + 1>>
+    part_centroids(const unsigned int n)
+    {
+      std::vector<std::array<double, dim + 1>> centroids;
+      const unsigned int n_cubes = std::lround(std::pow(n, dim));
+      for (unsigned int cube = 0; cube < n_cubes; ++cube)
+        {
+          std::array<unsigned int, dim> order;
+          std::iota(order.begin(), order.end(), 0);
+          do
+            {
+              // from the cube's lowest corner one edge after the other, in
+              // this order: the first is in dim of the dim + 1 corners, ...
+              std::array<double, dim> x;
+              unsigned int rest = cube;
+              for (unsigned int d = 0; d < dim; ++d, rest /= n)
+                x[d] = rest % n;
+              for (unsigned int d = 0; d < dim; ++d)
+                x[order[d]] += (dim - d) / (dim + 1.);
+
+              std::array<double, dim + 1> barycentric;
+              barycentric[0] = 1 - x[0] / n;
+              for (unsigned int d = 1; d < dim; ++d)
+                barycentric[d] = (x[d - 1] - x[d]) / n;
+              barycentric[dim] = x[dim - 1] / n;
+              if (*std::min_element(barycentric.begin(), barycentric.end()) > 0)
+                centroids.push_back(barycentric);
+          } while (std::next_permutation(order.begin(), order.end()));
+        }
+      return centroids;
+    }
+
+    template <int dim>
+    double
+    simplex_volume(const SimplexMesh<dim> &mesh,
+                   const std::array<unsigned int, dim + 1> &cell)
+    {
+      Tensor<2, dim> edges;
+      double factorial = 1;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          edges[d] = mesh.points[cell[d + 1]] - mesh.points[cell[0]];
+          factorial *= d + 1;
+        }
+      return std::abs(determinant(edges)) / factorial;
+    }
+
+    template <int dim>
+    double
+    longest_edge(const SimplexMesh<dim> &mesh,
+                 const std::array<unsigned int, dim + 1> &cell)
+    {
+      double longest = 0;
+      for (unsigned int a = 0; a <= dim; ++a)
+        for (unsigned int b = 0; b < a; ++b)
+          longest =
+            std::max(longest,
+                     mesh.points[cell[a]].distance(mesh.points[cell[b]]));
+      return longest;
+    }
+
+    /** A face of the surface of a mesh, as nodes of its cell. */
+    template <int dim>
+    struct SurfaceFace
+    {
+      unsigned int cell;
+      std::array<unsigned int, dim> vertices;
+    };
+
+    /** The faces that belong to one cell only. */
+    template <int dim>
+    std::vector<SurfaceFace<dim>>
+    surface_faces(const SimplexMesh<dim> &mesh)
+    {
+      using Nodes = std::array<unsigned int, dim>;
+      std::map<Nodes, std::vector<SurfaceFace<dim>>> faces;
+      for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+        for (unsigned int opposite = 0; opposite <= dim; ++opposite)
+          {
+            SurfaceFace<dim> face{cell, {}};
+            Nodes nodes;
+            for (unsigned int i = 0; i < dim; ++i)
+              {
+                face.vertices[i] = i < opposite ? i : i + 1;
+                nodes[i]         = mesh.cells[cell][face.vertices[i]];
+              }
+            std::sort(nodes.begin(), nodes.end());
+            faces[nodes].push_back(face);
+          }
+      std::vector<SurfaceFace<dim>> result;
+      for (const auto &face : faces)
+        if (face.second.size() == 1)
+          result.push_back(face.second[0]);
+      return result;
+    }
+
+    template <int dim>
+    double
+    area(const std::array<Point<dim>, dim> &corners)
+    {
+      const Tensor<1, dim> u = corners[1] - corners[0];
+      if (dim == 2)
+        return u.norm();
+      const Tensor<1, dim> v = corners[dim - 1] - corners[0];
+      return std::sqrt((u * u) * (v * v) - (u * v) * (u * v)) / 2;
+    }
+
+    template <int dim>
+    struct PlacedSample
+    {
+      SamplePoint<dim> sample;
+      Point<dim> position;
+    };
+
+    /** Points at most @p spacing apart all over the surface, each with the
+     * volume of a layer of @p depth below its part. */
+    template <int dim>
+    std::vector<PlacedSample<dim>>
+    dense_surface_points(const SimplexMesh<dim> &mesh,
+                         const double spacing,
+                         const double depth)
+    {
+      std::vector<PlacedSample<dim>> result;
+      for (const SurfaceFace<dim> &face : surface_faces(mesh))
+        {
+          std::array<Point<dim>, dim> corners;
+          double longest = 0;
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              corners[i] = mesh.points[mesh.cells[face.cell][face.vertices[i]]];
+              for (unsigned int j = 0; j < i; ++j)
+                longest = std::max(longest, corners[i].distance(corners[j]));
+            }
+          const auto centroids =
+            part_centroids<dim - 1>(std::ceil(longest / spacing));
+          for (const auto &centroid : centroids)
+            {
+              PlacedSample<dim> placed;
+              placed.sample.cell = face.cell;
+              for (unsigned int i = 0; i < dim; ++i)
+                {
+                  placed.sample.barycentric[face.vertices[i]] = centroid[i];
+                  placed.position += centroid[i] * corners[i];
+                }
+              placed.sample.volume =
+                area<dim>(corners) * depth / centroids.size();
+              result.push_back(placed);
+            }
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<SamplePoint<dim>>
+  simplex_lattice(const SimplexMesh<dim> &mesh, const double spacing)
+  {
+    check_point_spacing(spacing);
+    std::vector<SamplePoint<dim>> samples;
+    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+      {
+        const unsigned int n = std::ceil(longest_edge(mesh, mesh.cells[cell]) /
+                                         spacing * (1 - 1e-12));
+        const auto centroids = part_centroids<dim>(n);
+        const double part =
+          simplex_volume(mesh, mesh.cells[cell]) / centroids.size();
+        for (const auto &centroid : centroids)
+          {
+            SamplePoint<dim> sample;
+            sample.cell        = cell;
+            sample.barycentric = centroid;
+            sample.volume      = part;
+            samples.push_back(sample);
+          }
+      }
+    return samples;
+  }
+
+
+
+  template <int dim>
+  std::vector<SamplePoint<dim>>
+  surface_lattice(const SimplexMesh<dim> &mesh,
+                  const double spacing,
+                  const double depth)
+  {
+    check_point_spacing(spacing);
+    std::vector<PlacedSample<dim>> dense =
+      dense_surface_points(mesh, spacing / 20, depth);
+    // In the order of x, with some tolerance, so that points on both sides of a
+    // body along x are chosen alike.
+    std::stable_sort(dense.begin(),
+                     dense.end(),
+                     [&](const auto &p, const auto &q) {
+                       return p.position[0] < q.position[0] - 1e-6 * spacing;
+                     });
+    std::vector<PlacedSample<dim>> kept;
+    for (const PlacedSample<dim> &candidate : dense)
+      if (std::none_of(kept.begin(), kept.end(), [&](const auto &other) {
+            return other.position.distance(candidate.position) < spacing;
+          }))
+        {
+          kept.push_back(candidate);
+          kept.back().sample.volume = 0;
+        }
+    for (const PlacedSample<dim> &part : dense)
+      std::min_element(kept.begin(),
+                       kept.end(),
+                       [&](const auto &p, const auto &q) {
+                         return p.position.distance_square(part.position) <
+                           q.position.distance_square(part.position);
+                       })
+        ->sample.volume += part.sample.volume;
+    std::vector<SamplePoint<dim>> samples;
+    for (const PlacedSample<dim> &placed : kept)
+      samples.push_back(placed.sample);
+    return samples;
+  }
+
+
+
+  template std::vector<SamplePoint<2>>
+  simplex_lattice<2>(const SimplexMesh<2> &, const double);
+  template std::vector<SamplePoint<3>>
+  simplex_lattice<3>(const SimplexMesh<3> &, const double);
+  template std::vector<SamplePoint<2>>
+  surface_lattice<2>(const SimplexMesh<2> &, const double, const double);
+  template std::vector<SamplePoint<3>>
+  surface_lattice<3>(const SimplexMesh<3> &, const double, const double);
+} // namespace coapt

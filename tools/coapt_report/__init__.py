@@ -1,0 +1,1 @@
+"""Reports of Coapt's outputs: one HTML file that opens in any browser."""

@@ -1,0 +1,287 @@
+"""Off-screen pictures of a valve, as data URLs."""
+
+import base64
+
+import numpy
+import vtk
+from vtk.util.numpy_support import numpy_to_vtk
+
+from .colours import SPEED, STRAIN, STRESS, round_up
+from .run import point_array, points_of
+
+WIDTH, HEIGHT = 900, 760
+
+# Direction towards the camera, its upper side, height of the centre and half
+# the height of the picture (m).
+ATRIAL = ((0, 0, 1), (0, 1, 0), 0., .0175)
+SIDE = ((.45, -1, .3), (0, 0, 1), -.0125, .0215)
+FROM_ANTERIOR = ((0, 1, .15), (0, 0, 1), -.0065, .0155)
+FROM_POSTERIOR = ((0, -1, .15), (0, 0, 1), -.0065, .0155)
+CUT = ((1, 0, 0), (0, 0, 1), -.0095, .0195)
+
+
+def look_up_table(field, top):
+    """The colours of a field from zero to @p top for VTK."""
+    table = vtk.vtkLookupTable()
+    colours = field.colours(256)
+    table.SetNumberOfTableValues(len(colours))
+    for i, (red, green, blue) in enumerate(colours):
+        table.SetTableValue(i, red / 255, green / 255, blue / 255, 1)
+    table.SetRange(0, top)
+    return table
+
+
+def leaflet_actor(grid, field, top, plane=None):
+    """The leaflet coloured by a field, or plain; cut by a plane if one is
+    given."""
+    grid = with_points_values(grid, field)
+    source = vtk.vtkTrivialProducer()
+    source.SetOutput(grid)
+    if plane is not None:
+        clip = vtk.vtkClipDataSet()
+        clip.SetInputConnection(source.GetOutputPort())
+        clip.SetClipFunction(plane)
+        source = clip
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputConnection(source.GetOutputPort())
+    surface.Update()
+    return surface_actor(surface.GetOutput(), field, top)
+
+
+def surface_actor(surface, field, top):
+    """A surface with the point data "shown" in the colours of a field, or
+    plain."""
+    normals = vtk.vtkPolyDataNormals()
+    normals.SetInputData(surface)
+    normals.SetFeatureAngle(50)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(normals.GetOutputPort())
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    if field is None:
+        mapper.ScalarVisibilityOff()
+        actor.GetProperty().SetColor(.93, .80, .74)
+    else:
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SelectColorArray("shown")
+        mapper.SetLookupTable(look_up_table(field, top))
+        mapper.UseLookupTableScalarRangeOn()
+    actor.GetProperty().SetAmbient(.28)
+    actor.GetProperty().SetSpecular(.12)
+    actor.GetProperty().SetSpecularPower(15)
+    return actor
+
+
+def with_points_values(grid, field):
+    """A copy of the grid with the values to show."""
+    copy = vtk.vtkUnstructuredGrid()
+    copy.CopyStructure(grid)
+    if field is not None:
+        values = numpy_to_vtk(
+            numpy.ascontiguousarray(field.on_points(grid), numpy.float64),
+            deep=True)
+        values.SetName("shown")
+        copy.GetPointData().AddArray(values)
+    return copy
+
+
+def chordae_actor(grid):
+    """Chordae as tubes."""
+    lines = vtk.vtkDataSetSurfaceFilter()
+    lines.SetInputData(grid)
+    tubes = vtk.vtkTubeFilter()
+    tubes.SetInputConnection(lines.GetOutputPort())
+    tubes.SetRadius(2.5e-4)
+    tubes.SetNumberOfSides(10)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(tubes.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(.55, .43, .31)
+    return actor
+
+
+def slice_actor(grid, name, table):
+    """The fluid on the plane x = 0, coloured by data of its cells. It lies
+    behind the cut face of the leaflet."""
+    plane = vtk.vtkPlane()
+    plane.SetNormal(1, 0, 0)
+    plane.SetOrigin(-1e-4, 0, 0)
+    cutter = vtk.vtkCutter()
+    cutter.SetCutFunction(plane)
+    cutter.SetInputData(grid)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(cutter.GetOutputPort())
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray(name)
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def picture(actors, look, width=WIDTH, height=HEIGHT):
+    """Renders actors; returns a data URL."""
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    for actor in actors:
+        renderer.AddActor(actor)
+    add_lamps(renderer)
+    direction, up, centre, half_height = look
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(0, 0, centre)
+    camera.SetPosition(*(.1 * numpy.array(direction) + (0, 0, centre)))
+    camera.SetViewUp(*up)
+    renderer.ResetCameraClippingRange()
+    camera.SetParallelScale(half_height)
+
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(width, height)
+    window.AddRenderer(renderer)
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtk.vtkPNGWriter()
+    writer.WriteToMemoryOn()
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+    data = bytes(memoryview(writer.GetResult()))
+    return "data:image/png;base64," + base64.b64encode(data).decode()
+
+
+def add_lamps(renderer):
+    """Lamps near whoever looks, so that nothing that is seen is dark."""
+    renderer.AutomaticLightCreationOff()
+    for position, intensity in (((-.1, .2, 1), .6), ((.7, -.5, .9), .25)):
+        lamp = vtk.vtkLight()
+        lamp.SetLightTypeToCameraLight()
+        lamp.SetPosition(*position)
+        lamp.SetFocalPoint(0, 0, 0)
+        lamp.SetIntensity(intensity)
+        renderer.AddLight(lamp)
+
+
+def pressure_table(top):
+    """Colours of the blood's pressure (Pa)."""
+    table = vtk.vtkLookupTable()
+    table.SetHueRange(.6, .02)
+    table.SetSaturationRange(.45, .55)
+    table.SetValueRange(.97, .93)
+    table.SetRange(-.05 * top, top)
+    table.SetNanColor(.93, .93, .93, 1)
+    table.Build()
+    return table
+
+
+def half_plane():
+    """Keeps x < 0."""
+    plane = vtk.vtkPlane()
+    plane.SetNormal(-1, 0, 0)
+    return plane
+
+
+def valve_pictures(run, ranges):
+    """Pairs of caption and data URL of the open and the closed valve."""
+    start, end = run.fields("leaflet", 0), run.fields("leaflet")
+    chordae = run.fields("chordae")
+    top = max(1., float(run.statistics["ventricular_pressure_Pa"].max()))
+    time = 1e3 * run.times[-1]
+    closed = f"At {time:.0f} ms"
+    pictures = [
+        ("Open, from the atrium",
+         [leaflet_actor(start, None, 1),
+          chordae_actor(run.fields("chordae", 0))], ATRIAL),
+        (f"{closed}, from the atrium: stress",
+         [leaflet_actor(end, STRESS, ranges[STRESS]),
+          chordae_actor(chordae)], ATRIAL),
+        (f"{closed}, from the atrium: strain",
+         [leaflet_actor(end, STRAIN, ranges[STRAIN]),
+          chordae_actor(chordae)], ATRIAL),
+        (f"{closed}, from the posterior side: stress",
+         [leaflet_actor(end, STRESS, ranges[STRESS]),
+          chordae_actor(chordae)], SIDE),
+        (f"{closed}, cut through the middle: pressure of the blood",
+         [leaflet_actor(end, None, 1, half_plane()),
+          slice_actor(run.fields("fluid"), "pressure", pressure_table(top))],
+         CUT)]
+    return [(caption, picture(actors, look))
+            for caption, actors, look in pictures]
+
+
+def fastest_points(grid, n_seeds=100, share=.01):
+    """Some of the points where the blood is fastest, spread evenly over that
+    share of all, and their speeds."""
+    speed = numpy.linalg.norm(point_array(grid, "velocity"), axis=1)
+    fast = numpy.flatnonzero(speed >= numpy.quantile(speed, 1 - share))
+    seeds = fast[:: max(1, len(fast) // n_seeds)]
+    return points_of(grid)[seeds], speed[seeds]
+
+
+def streamline_actor(grid, seeds, top):
+    """Lines along the flow through the seeds, both ways, coloured by speed."""
+    cloud = vtk.vtkPolyData()
+    points = vtk.vtkPoints()
+    for seed in seeds:
+        points.InsertNextPoint(seed)
+    cloud.SetPoints(points)
+    tracer = vtk.vtkStreamTracer()
+    tracer.SetInputData(grid)
+    tracer.SetInputArrayToProcess(0, 0, 0, 0, "velocity")
+    tracer.SetSourceData(cloud)
+    tracer.SetIntegratorTypeToRungeKutta4()
+    tracer.SetIntegrationDirectionToBoth()
+    tracer.SetMaximumPropagation(.08)
+    tracer.SetTerminalSpeed(1e-3 * top)
+    norm = vtk.vtkArrayCalculator()
+    norm.SetInputConnection(tracer.GetOutputPort())
+    norm.AddVectorArrayName("velocity")
+    norm.SetFunction("mag(velocity)")
+    norm.SetResultArrayName("speed")
+    tubes = vtk.vtkTubeFilter()
+    tubes.SetInputConnection(norm.GetOutputPort())
+    tubes.SetRadius(1.2e-4)
+    tubes.SetNumberOfSides(6)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(tubes.GetOutputPort())
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray("speed")
+    mapper.SetLookupTable(look_up_table(SPEED, top))
+    mapper.UseLookupTableScalarRangeOn()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def flow_times(run):
+    """When streamlines are worth a look: at the largest flow, and at the end
+    if something flows there."""
+    table = run.statistics
+    times = [("largest flow",
+              table["time_s"][table["outflow_mL_per_s"].argmax()])]
+    if not run.summary["sealed"]:
+        times.append(("the end", run.times[-1]))
+    return times
+
+
+def streamline_pictures(run):
+    """Triples of caption, data URL and largest speed on the scale."""
+    pictures = []
+    for name, time in flow_times(run):
+        frame = run.frame_at(time)
+        fluid = run.fields("fluid", frame)
+        seeds, speeds = fastest_points(fluid)
+        top = round_up(numpy.quantile(speeds, .9))
+        leaflet = leaflet_actor(run.fields("leaflet", frame), None, 1)
+        leaflet.GetProperty().SetOpacity(.35)
+        source = picture([streamline_actor(fluid, seeds, top), leaflet,
+                          chordae_actor(run.fields("chordae", frame))], SIDE)
+        pictures.append((f"At {name}, {1e3 * run.times[frame]:.0f} ms; up to "
+                         f"{speeds.max():.1f} m/s", source, top))
+    return pictures
