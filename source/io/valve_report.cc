@@ -10,42 +10,54 @@ namespace coapt
   using namespace units;
 
   std::vector<Statistics::Entry>
-  statistics_row(const ValveSample &s, const RunCost &cost)
+  statistics_row(const ValveSample &s, const RunCost &cost, const bool in_blood)
   {
-    std::vector<Statistics::Entry> row = {
-      {"time_s", s.time},
-      {"step_s", cost.step_length},
-      {"ventricular_pressure_Pa", s.pressure},
-      {"inflow_mL_per_s", s.inflow / millilitre},
-      {"outflow_mL_per_s", s.outflow / millilitre},
-      {"swept_flow_mL_per_s", s.swept_flow / millilitre},
-      {"outflow_volume_mL", s.outflow_volume / millilitre},
-      {"swept_volume_mL", s.swept_volume / millilitre},
-      {"coaptation_force_N", s.coaptation_force},
-      {"contact_force_N", s.contact_force},
-      {"coaptation_area_mm2", s.coaptation_area / square_millimetre},
-      {"coaptation_pressure_max_kPa", s.coaptation_pressure / kilopascal},
-      {"gap_min_mm", s.min_gap / millimetre},
-      {"widest_path_mm", s.path_width / millimetre},
-      {"widest_path_gap_mm", s.path_gap / millimetre},
-      {"bulging_volume_mL", s.bulging_volume / millilitre}};
+    std::vector<Statistics::Entry> row = {{"time_s", s.time},
+                                          {"step_s", cost.step_length},
+                                          {"ventricular_pressure_Pa",
+                                           s.pressure}};
+    const auto add = [&row](const std::vector<Statistics::Entry> &entries) {
+      row.insert(row.end(), entries.begin(), entries.end());
+    };
+    if (in_blood)
+      add({{"inflow_mL_per_s", s.inflow / millilitre},
+           {"outflow_mL_per_s", s.outflow / millilitre}});
+    add({{"swept_flow_mL_per_s", s.swept_flow / millilitre}});
+    if (in_blood)
+      add({{"outflow_volume_mL", s.outflow_volume / millilitre}});
+    add({{"swept_volume_mL", s.swept_volume / millilitre},
+         {"coaptation_force_N", s.coaptation_force},
+         {"contact_force_N", s.contact_force},
+         {"coaptation_area_mm2", s.coaptation_area / square_millimetre},
+         {"coaptation_pressure_max_kPa", s.coaptation_pressure / kilopascal},
+         {"gap_min_mm", s.min_gap / millimetre},
+         {"widest_path_mm", s.path_width / millimetre},
+         {"widest_path_gap_mm", s.path_gap / millimetre},
+         {"bulging_volume_mL", s.bulging_volume / millilitre}});
     for (unsigned int c = 0; c < s.chordae_tension.size(); ++c)
       row.emplace_back("chordae_" + name_of(static_cast<ChordaClass>(c)) + "_N",
                        s.chordae_tension[c]);
-    row.insert(row.end(),
-               {{"stress_mean_kPa", s.mean_stress / kilopascal},
-                {"strain_mean", s.mean_strain},
-                {"velocity_max_m_per_s", s.largest_velocity},
-                {"slip_rms_m_per_s", s.slip_rms},
-                {"hourglass_rms_m_per_s", s.hourglass_rms},
-                {"checkerboard_rms_Pa", s.checkerboard_rms},
-                {"point_spacing_cells", s.point_spacing}});
-    const auto energies = EnergyAudit<3>::entries(s.works, s.energies);
-    row.insert(row.end(), energies.begin(), energies.end());
-    row.insert(row.end(),
-               {{"energy_error_relative", s.energy_error},
-                {"fluid_cells", double(cost.fluid_cells)},
-                {"steps", double(cost.steps)}});
+    add({{"stress_mean_kPa", s.mean_stress / kilopascal},
+         {"strain_mean", s.mean_strain},
+         {"velocity_max_m_per_s", s.largest_velocity}});
+    if (in_blood)
+      add({{"slip_rms_m_per_s", s.slip_rms},
+           {"hourglass_rms_m_per_s", s.hourglass_rms},
+           {"checkerboard_rms_Pa", s.checkerboard_rms},
+           {"point_spacing_cells", s.point_spacing}});
+    if (in_blood)
+      add(EnergyAudit<3>::entries(s.works, s.energies));
+    else
+      add({{"work_of_load_J", s.works.ends},
+           {"work_of_chordae_J", s.works.loads},
+           {"work_of_contact_J", s.works.contact},
+           {"losses_J", s.works.solid_losses},
+           {"energy_kinetic_J", s.energies.solid_kinetic},
+           {"energy_elastic_J", s.energies.elastic}});
+    add({{"energy_error_relative", s.energy_error}});
+    if (in_blood)
+      add({{"fluid_cells", double(cost.fluid_cells)}});
+    add({{"steps", double(cost.steps)}});
     return row;
   }
 
@@ -65,18 +77,17 @@ namespace coapt
 
 
 
-  ValveReport::ValveReport(const double end_time, const double cell)
-    : end_time(end_time), cell(cell)
+  ValveReport::ValveReport(const ReportSettings &settings) : settings(settings)
   {
   }
 
 
 
   void
-  ValveReport::add(const ValveSample &sample, const ValveMonitor &monitor)
+  ValveReport::add(const ValveSample &sample, const LeafletMonitor &monitor)
   {
     samples.push_back(sample);
-    if (sample.time < end_time - window)
+    if (sample.time < settings.end_time - window)
       return;
     const std::vector<double> &contact = monitor.contact_pressure();
     const std::vector<double> &total   = monitor.total_traction();
@@ -97,7 +108,7 @@ namespace coapt
   {
     Closing result;
     for (const ValveSample &sample : samples)
-      if (sample.path_width >= 0.5 * cell)
+      if (sample.path_width >= settings.shut_width)
         result.closed = false;
       else if (!result.closed)
         {
@@ -128,7 +139,7 @@ namespace coapt
 
 
   Summary
-  ValveReport::summary(const ValveMonitor &monitor,
+  ValveReport::summary(const LeafletMonitor &monitor,
                        const RunCost &cost,
                        const std::vector<std::string> &warnings) const
   {
@@ -147,12 +158,16 @@ namespace coapt
     const CoaptationResult belt = monitor.coaptation(contact, total);
 
     Summary result;
-    result.set("sealed", shut.closed && leak() <= largest_leak);
+    result.set("sealed",
+               shut.closed && (!settings.in_blood || leak() <= largest_leak));
     result.set("closing_time_s", shut.closed ? shut.time : none);
-    result.set("leak_mL_per_s", leak() / millilitre);
-    result.set("flow_peak_mL_per_s", monitor.peak_outflow() / millilitre);
-    result.set("closing_volume_mL",
-               shut.closed ? shut.volume / millilitre : none);
+    if (settings.in_blood)
+      {
+        result.set("leak_mL_per_s", leak() / millilitre);
+        result.set("flow_peak_mL_per_s", last.peak_outflow / millilitre);
+        result.set("closing_volume_mL",
+                   shut.closed ? shut.volume / millilitre : none);
+      }
     result.set("bulging_volume_mL", last.bulging_volume / millilitre);
     result.set("coaptation_area_mm2", belt.area / square_millimetre);
     result.set("coaptation_force_N", belt.force);
@@ -185,9 +200,11 @@ namespace coapt
     result.set("stress_mean_kPa", last.mean_stress / kilopascal);
     result.set("strain_mean", last.mean_strain);
     result.set("end_time_s", last.time);
-    result.set("fluid_cells", cost.fluid_cells);
+    if (settings.in_blood)
+      result.set("fluid_cells", cost.fluid_cells);
     result.set("solid_tets", cost.solid_tets);
-    result.set("coupling_points", cost.coupling_points);
+    if (settings.in_blood)
+      result.set("coupling_points", cost.coupling_points);
     result.set("steps", cost.steps);
     result.set("rhs_evaluations", cost.evaluations);
     result.set("wall_s", cost.wall_seconds);

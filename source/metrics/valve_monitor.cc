@@ -2,8 +2,6 @@
 
 #include <deal.II/numerics/rtree.h>
 
-#include <coapt/metrics/bulging_volume.h>
-#include <coapt/metrics/swept_volume.h>
 #include <coapt/metrics/valve_monitor.h>
 
 #include <algorithm>
@@ -31,12 +29,14 @@ namespace coapt
 
 
   ValveMonitor::ValveMonitor(ValveModel &model)
-    : model(model)
+    : LeafletMonitor(model,
+                     settings_for(model.parameters),
+                     std::max(2e-3,
+                              model.parameters.contact.clearance +
+                                2 * model.parameters.mesh.finest_cell()))
+    , model(model)
     , audit(*model.system, *model.fluid, *model.solid, *model.points)
-    , peaks(model.chordae->chordae())
-    , belt(model.leaflet, settings_for(model.parameters))
-    , column_contact_pressure(model.leaflet.columns.size(), 0.)
-    , column_traction(model.leaflet.columns.size(), 0.)
+    , column_load(model.leaflet.columns.size())
   {
     model.on_contact_work(
       [this](const double work) { audit.add_contact_work(work); });
@@ -50,20 +50,13 @@ namespace coapt
     const std::vector<double> X = model.system->solid_positions(y);
     const std::vector<double> u = model.system->local_velocity(y);
     const double outflow = model.fluid->flux(ValveModel::atrial_end, u.data());
-    const std::vector<Point<3>> points = model.mid_surface(X);
     if (started)
-      {
-        outflow_volume += 0.5 * (t - last_time) * (last_outflow + outflow);
-        total_swept += swept_volume(surface_points, points, model.surface);
-      }
-    peaks.update(t,
-                 model.chordae->tensions(
-                   t, X.data(), model.system->solid_velocities(y).data()));
+      outflow_volume += 0.5 * (t - last_time) * (last_outflow + outflow);
+    accumulate_motion(t, X, model.system->solid_velocities(y));
     largest_outflow = std::max(largest_outflow, outflow);
     started         = true;
     last_time       = t;
     last_outflow    = outflow;
-    surface_points  = points;
     audit.sample(t, y);
   }
 
@@ -138,38 +131,29 @@ namespace coapt
   ValveMonitor::measure_tractions(const double *y, const std::vector<double> &X)
   {
     const std::vector<double> impulse = model.system->take_coupling_impulse();
-    const double window               = model.contact->accumulated_time();
     const auto &state                 = model.contact->state();
     const std::vector<double> p_v     = ventricular_pressure(y, X);
+    window                            = model.contact->accumulated_time();
 
     for (unsigned int c = 0; c < model.leaflet.columns.size(); ++c)
       {
         column_contact_pressure[c] = 0;
         column_traction[c]         = 0;
-        if (!(window > 0) || state.normals[c].norm_square() == 0)
+        column_load[c]             = Tensor<1, 3>();
+        if (!(window > 0))
           continue;
         Tensor<1, 3> force;
         for (const unsigned int node : model.leaflet.columns[c])
           for (unsigned int d = 0; d < 3; ++d)
             force[d] += impulse[3 * node + d] / window;
+        column_load[c] = force / state.reference_area[c];
+        if (state.normals[c].norm_square() == 0)
+          continue;
         column_contact_pressure[c] = state.pressure_impulse[c] / window;
         column_traction[c]         = column_contact_pressure[c] + p_v[c] -
           force * state.normals[c] / state.current_area[c];
       }
     model.contact->clear_accumulators();
-  }
-
-
-
-  CoaptationResult
-  ValveMonitor::coaptation(const std::vector<double> &contact_pressure,
-                           const std::vector<double> &total_traction) const
-  {
-    const auto &state = model.contact->state();
-    return belt.evaluate(state.gap,
-                         contact_pressure,
-                         total_traction,
-                         state.current_area);
   }
 
 
@@ -206,72 +190,6 @@ namespace coapt
 
 
 
-  void
-  ValveMonitor::measure_solid(const double t,
-                              const std::vector<double> &X,
-                              const std::vector<double> &V,
-                              ValveSample &sample)
-  {
-    const std::vector<double> tensions =
-      model.chordae->tensions(t, X.data(), V.data());
-    sample.chordae_tension = peaks.class_tensions(tensions);
-
-    sample.point_spacing = model.point_spacing(X);
-
-    std::vector<double> stress, strain, jacobian;
-    model.solid->cell_results(X.data(), stress, strain, jacobian);
-    double volume = 0;
-    for (unsigned int c = 0; c < stress.size(); ++c)
-      {
-        const double weight = model.solid->cell_volumes()[c];
-        volume += weight;
-        sample.mean_stress += weight * stress[c];
-        sample.mean_strain += weight * strain[c];
-      }
-    sample.mean_stress /= volume;
-    sample.mean_strain /= volume;
-
-    std::vector<Tensor<1, 3>> velocities;
-    for (const Point<3> &v : model.mid_surface(V))
-      velocities.push_back(v);
-    sample.swept_flow = swept_rate(surface_points, velocities, model.surface);
-
-    std::vector<Point<3>> annulus;
-    for (const unsigned int column : model.leaflet.annulus_columns)
-      annulus.push_back(surface_points[column]);
-    sample.bulging_volume =
-      bulging_volume(annulus, surface_points, model.surface);
-
-    Point<3> lower = model.lumen.lower(), upper = model.lumen.upper();
-    double bottom = surface_points[0][2], top = bottom;
-    for (const Point<3> &point : surface_points)
-      {
-        bottom = std::min(bottom, point[2]);
-        top    = std::max(top, point[2]);
-      }
-    const double margin = 3 * model.parameters.valve.thickness;
-    lower[2]            = bottom - margin;
-    upper[2]            = top + margin;
-    sample.path         = widest_path(
-      surface_points,
-      model.surface,
-      model.parameters.valve.thickness,
-      [this](const Point<3> &x) { return model.lumen.inside(x); },
-      lower,
-      upper,
-      0.25e-3,
-      std::max(2e-3,
-               model.parameters.contact.clearance +
-                 2 * model.parameters.mesh.finest_cell()),
-      model.communicator);
-    // Surfaces touch where contact holds them apart, at the clearance.
-    sample.path_gap = sample.path.width;
-    sample.path_width =
-      std::max(0., sample.path.width - model.parameters.contact.clearance);
-  }
-
-
-
   ValveSample
   ValveMonitor::sample(const double t, const double *y)
   {
@@ -283,18 +201,14 @@ namespace coapt
     ValveSample sample;
     sample.time           = t;
     sample.pressure       = model.ventricular_pressure(t);
+    sample.peak_outflow   = largest_outflow;
     sample.outflow_volume = outflow_volume;
-    sample.swept_volume   = total_swept;
     measure_noise(y, sample);
     measure_solid(t, X, V, sample);
+    sample.point_spacing = model.point_spacing(X);
 
     measure_tractions(y, X);
-    sample.coaptation    = coaptation(column_contact_pressure, column_traction);
-    sample.contact_force = sample.coaptation.contact_force;
-    sample.coaptation_force    = sample.coaptation.force;
-    sample.coaptation_area     = sample.coaptation.area;
-    sample.coaptation_pressure = sample.coaptation.max_traction;
-    sample.min_gap             = model.last_contact.min_gap;
+    measure_coaptation(sample);
 
     sample.energy_error = audit.relative_error(y);
     sample.works        = audit.work();
