@@ -120,9 +120,9 @@ namespace coapt
           sum += weight;
           least = std::min(least, distance);
         }
-      if (least > 2 * units::millimetre)
+      if (least > 4 * units::millimetre)
         throw InputError(file +
-                         ": no point is within 2 mm of the leaflet at (" +
+                         ": no point is within 4 mm of the leaflet at (" +
                          std::to_string(x[0] / units::millimetre) + ", " +
                          std::to_string(x[1] / units::millimetre) + ", " +
                          std::to_string(x[2] / units::millimetre) +

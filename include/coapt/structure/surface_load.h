@@ -53,7 +53,7 @@ namespace coapt
      * column among its nodes.
      *
      * @throws InputError with file and line if the file is no such load, or
-     * if its points are farther than 2 mm from a column.
+     * if its points are farther than 4 mm from a column.
      */
     RecordedLoad(const std::string &file,
                  const Leaflet &leaflet,
