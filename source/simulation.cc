@@ -10,26 +10,6 @@
 
 namespace coapt
 {
-  void
-  SimulationParameters::declare_parameters(dealii::ParameterHandler &prm)
-  {
-    RunParameters::declare_parameters(prm);
-    StepParameters::declare_parameters(prm);
-    ModelParameters::declare_parameters(prm);
-  }
-
-
-
-  void
-  SimulationParameters::parse_parameters(dealii::ParameterHandler &prm)
-  {
-    run.parse_parameters(prm);
-    step.parse_parameters(prm);
-    model.parse_parameters(prm);
-  }
-
-
-
   Simulation::Simulation(const SimulationParameters &parameters,
                          Log &log,
                          MPI_Comm communicator)
@@ -64,7 +44,7 @@ namespace coapt
   Summary
   Simulation::run(const OutputFolder &folder)
   {
-    Recorder recorder(parameters.run, folder, model, monitor, log);
+    ValveRecorder recorder(parameters.run, folder, model, monitor, log);
     const auto record = [&]() {
       const auto scope = timing.scope(sections.output);
       recorder.record(integrator.time(),

@@ -2,10 +2,7 @@
 
 #include <coapt/base/exceptions.h>
 #include <coapt/coupled/valve_model.h>
-#include <coapt/geometry/cell_normals.h>
 #include <coapt/geometry/coupling_lattice.h>
-#include <coapt/geometry/valve_generator.h>
-#include <coapt/geometry/widest_path.h>
 #include <coapt/solid/stability.h>
 
 #include <algorithm>
@@ -19,20 +16,10 @@ namespace coapt
   ValveModel::ValveModel(const ModelParameters &parameters,
                          Timing &timing,
                          MPI_Comm communicator)
-    : parameters(parameters)
-    , communicator(communicator)
-    , ventricular_pressure(TimeTable::from_file(
-        find_input_file(parameters.ends.pressure_table, parameters.folder),
-        parameters.ends.pressure_unit))
-    , lumen(parameters.lumen,
-            parameters.valve.annulus_semi_axis_x,
-            parameters.valve.annulus_semi_axis_y)
-    , leaflet(generate_leaflet(parameters.valve))
-    , surface(triangulate(leaflet.quads))
+    : ValveStructure(parameters, communicator)
     , band(parameters.mesh, distance_to_wall())
     , flow_indicator(parameters.mesh)
   {
-    build_solid();
     build_fluid();
     build_coupling(timing);
   }
@@ -43,27 +30,6 @@ namespace coapt
   ValveModel::distance_to_wall() const
   {
     return [this](const Point<3> &x) { return lumen.signed_distance(x); };
-  }
-
-
-
-  void
-  ValveModel::build_solid()
-  {
-    solid   = std::make_unique<SolidOperator<3>>(leaflet.mesh,
-                                               parameters.solid,
-                                               leaflet.fibre,
-                                               leaflet.prestretch,
-                                               communicator,
-                                               cell_normals(leaflet));
-    chordae = std::make_unique<ChordaeNetwork>(
-      generate_chordae(parameters.valve, leaflet, solid->mass()),
-      solid->mass());
-    contact = std::make_unique<MidSurfaceContact>(leaflet,
-                                                  solid->mass(),
-                                                  parameters.solid.density,
-                                                  parameters.contact,
-                                                  communicator);
   }
 
 
@@ -155,10 +121,7 @@ namespace coapt
                       parameters.coupling.min_layers),
       communicator);
 
-    std::vector<double> X(3 * solid->n_nodes());
-    for (unsigned int n = 0; n < solid->n_nodes(); ++n)
-      for (unsigned int d = 0; d < 3; ++d)
-        X[3 * n + d] = leaflet.mesh.points[n][d];
+    const std::vector<double> X = reference_positions();
     band.place(points->positions(X.data()));
     work->place(points->positions(X.data()));
     grid->refine_to([this](const Point<3> &center, const double size) {
@@ -188,25 +151,6 @@ namespace coapt
     system->set_impulse([this](const double *X, double *V, const double dt) {
       act_contact(X, V, dt);
     });
-  }
-
-
-
-  void
-  ValveModel::act_contact(const double *X, double *V, const double dt)
-  {
-    const double before = solid->kinetic_energy(V);
-    last_contact        = contact->apply_impulse(X, V, dt);
-    if (contact_work_listener)
-      contact_work_listener(solid->kinetic_energy(V) - before);
-  }
-
-
-
-  void
-  ValveModel::on_contact_work(const std::function<void(double)> &listener)
-  {
-    contact_work_listener = listener;
   }
 
 
@@ -270,10 +214,8 @@ namespace coapt
   double
   ValveModel::point_spacing(const std::vector<double> &X) const
   {
-    std::vector<double> X0;
-    for (const Point<3> &x : leaflet.mesh.points)
-      X0.insert(X0.end(), {x[0], x[1], x[2]});
-    const std::vector<Point<3>> now = mid_surface(X), then = mid_surface(X0);
+    const std::vector<Point<3>> now  = mid_surface(X),
+                                then = mid_surface(reference_positions());
 
     // The lattice was laid with the spacing over the expected stretch.
     double stretch = 0;
@@ -290,17 +232,6 @@ namespace coapt
         }
     return parameters.coupling.spacing * stretch /
       parameters.coupling.expected_stretch;
-  }
-
-
-
-  double
-  ValveModel::leaflet_volume() const
-  {
-    double volume = 0;
-    for (const double mass : solid->mass())
-      volume += mass / parameters.solid.density;
-    return volume;
   }
 
 
@@ -396,16 +327,6 @@ namespace coapt
 
 
 
-  double
-  ValveModel::contact_step_limit() const
-  {
-    return std::sqrt(parameters.contact.stiffness_factor *
-                     parameters.solid.density * parameters.valve.thickness /
-                     parameters.contact.max_stiffness);
-  }
-
-
-
   unsigned int
   ValveModel::cell_of_node(const unsigned int node) const
   {
@@ -461,24 +382,4 @@ namespace coapt
     return "all values are finite";
   }
 
-
-
-  std::vector<Point<3>>
-  ValveModel::mid_surface(const std::vector<double> &nodal) const
-  {
-    std::vector<Point<3>> result(leaflet.columns.size());
-    for (unsigned int c = 0; c < result.size(); ++c)
-      {
-        const std::vector<unsigned int> &column = leaflet.columns[c];
-        for (unsigned int k = 0; k < column.size(); ++k)
-          {
-            const double weight =
-              ((k == 0 || k + 1 == column.size()) ? 0.5 : 1.) /
-              (column.size() - 1);
-            for (unsigned int d = 0; d < 3; ++d)
-              result[c][d] += weight * nodal[3 * column[k] + d];
-          }
-      }
-    return result;
-  }
 } // namespace coapt

@@ -15,11 +15,11 @@ namespace coapt
 
 
   Summary
-  segment_figures(const ValveModel &model,
-                  const ValveMonitor &monitor,
+  segment_figures(const ValveStructure &valve,
+                  const LeafletMonitor &monitor,
                   const MeanTractions &tractions)
   {
-    const auto &state  = model.contact->state();
+    const auto &state  = valve.contact->state();
     const auto profile = monitor.coaptation().profile(state.gap,
                                                       tractions.total,
                                                       state.current_area,
@@ -42,11 +42,11 @@ namespace coapt
 
 
   Summary
-  gap_figures(const ValveModel &model,
-              const ValveMonitor &monitor,
+  gap_figures(const ValveStructure &valve,
+              const LeafletMonitor &monitor,
               const MeanTractions &tractions)
   {
-    const auto &state = model.contact->state();
+    const auto &state = valve.contact->state();
     const auto gaps   = monitor.coaptation().gaps(state.gap,
                                                 tractions.total,
                                                 state.current_area,
@@ -72,7 +72,7 @@ namespace coapt
 
 
   Summary
-  region_figures(const ValveModel &model, const ValveMonitor &monitor)
+  region_figures(const ValveStructure &valve, const LeafletMonitor &monitor)
   {
     const std::array<std::string, 4> names = {
       {"anterior", "posterior", "commissures", "root"}};
@@ -81,11 +81,11 @@ namespace coapt
     for (unsigned int region = 0; region < names.size(); ++region)
       {
         std::vector<double> weights;
-        for (unsigned int c = 0; c < model.leaflet.cell_quad.size(); ++c)
+        for (unsigned int c = 0; c < valve.leaflet.cell_quad.size(); ++c)
           weights.push_back(
             static_cast<unsigned int>(
-              model.leaflet.quad_region[model.leaflet.cell_quad[c]]) == region
-              ? model.solid->cell_volumes()[c]
+              valve.leaflet.quad_region[valve.leaflet.cell_quad[c]]) == region
+              ? valve.solid->cell_volumes()[c]
               : 0.);
         const auto &stress = monitor.cell_stress();
         const auto &strain = monitor.cell_strain();

@@ -1,0 +1,111 @@
+#include <coapt/coupled/valve_structure.h>
+#include <coapt/geometry/cell_normals.h>
+#include <coapt/geometry/valve_generator.h>
+
+#include <cmath>
+
+namespace coapt
+{
+  using dealii::Point;
+
+  ValveStructure::ValveStructure(const ModelParameters &parameters,
+                                 MPI_Comm communicator)
+    : parameters(parameters)
+    , communicator(communicator)
+    , ventricular_pressure(TimeTable::from_file(
+        find_input_file(parameters.ends.pressure_table, parameters.folder),
+        parameters.ends.pressure_unit))
+    , lumen(parameters.lumen,
+            parameters.valve.annulus_semi_axis_x,
+            parameters.valve.annulus_semi_axis_y)
+    , leaflet(generate_leaflet(parameters.valve))
+    , surface(triangulate(leaflet.quads))
+    , solid(std::make_unique<SolidOperator<3>>(leaflet.mesh,
+                                               parameters.solid,
+                                               leaflet.fibre,
+                                               leaflet.prestretch,
+                                               communicator,
+                                               cell_normals(leaflet)))
+    , chordae(std::make_unique<ChordaeNetwork>(
+        generate_chordae(parameters.valve, leaflet, solid->mass()),
+        solid->mass()))
+    , contact(std::make_unique<MidSurfaceContact>(leaflet,
+                                                  solid->mass(),
+                                                  parameters.solid.density,
+                                                  parameters.contact,
+                                                  communicator))
+  {
+  }
+
+
+
+  std::vector<double>
+  ValveStructure::reference_positions() const
+  {
+    std::vector<double> X;
+    for (const Point<3> &x : leaflet.mesh.points)
+      X.insert(X.end(), {x[0], x[1], x[2]});
+    return X;
+  }
+
+
+
+  double
+  ValveStructure::leaflet_volume() const
+  {
+    double volume = 0;
+    for (const double mass : solid->mass())
+      volume += mass / parameters.solid.density;
+    return volume;
+  }
+
+
+
+  double
+  ValveStructure::contact_step_limit() const
+  {
+    return std::sqrt(parameters.contact.stiffness_factor *
+                     parameters.solid.density * parameters.valve.thickness /
+                     parameters.contact.max_stiffness);
+  }
+
+
+
+  void
+  ValveStructure::act_contact(const double *X, double *V, const double dt)
+  {
+    const double before = solid->kinetic_energy(V);
+    last_contact        = contact->apply_impulse(X, V, dt);
+    if (contact_work_listener)
+      contact_work_listener(solid->kinetic_energy(V) - before);
+  }
+
+
+
+  void
+  ValveStructure::on_contact_work(const std::function<void(double)> &listener)
+  {
+    contact_work_listener = listener;
+  }
+
+
+
+  std::vector<Point<3>>
+  ValveStructure::mid_surface(const std::vector<double> &nodal) const
+  {
+    std::vector<Point<3>> result(leaflet.columns.size());
+    for (unsigned int c = 0; c < result.size(); ++c)
+      {
+        const std::vector<unsigned int> &column = leaflet.columns[c];
+        for (unsigned int k = 0; k < column.size(); ++k)
+          {
+            const double weight =
+              ((k == 0 || k + 1 == column.size()) ? 0.5 : 1.) /
+              (column.size() - 1);
+            for (unsigned int d = 0; d < 3; ++d)
+              result[c][d] += weight * nodal[3 * column[k] + d];
+          }
+      }
+    return result;
+  }
+} // namespace coapt
