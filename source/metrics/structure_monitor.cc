@@ -42,7 +42,6 @@ namespace coapt
     , valve(valve)
     , system(system)
   {
-    valve.on_contact_work([this](const double work) { works.contact += work; });
   }
 
 
@@ -74,6 +73,7 @@ namespace coapt
         works.solid_losses += half * (last.damping + now.damping);
         largest_work = std::max(largest_work, std::abs(works.ends));
       }
+    works.contact = system.contact_work();
     accumulate_motion(t, X, V);
     last      = now;
     last_time = t;

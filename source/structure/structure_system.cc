@@ -21,6 +21,7 @@ namespace coapt
                 timing.section("Chordae and load"),
                 timing.section("Solid exchange"),
                 timing.section("Contact")})
+    , contact_acceleration(3 * valve.solid->n_nodes(), 0.)
   {
     if (!parameters.uniform_pressure)
       recorded = std::make_unique<RecordedLoad>(
@@ -65,19 +66,29 @@ namespace coapt
     nodes.sum(A);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int d = 0; d < 3; ++d)
-        A[3 * i + d] =
-          valve.leaflet.pinned[i] ? 0. : A[3 * i + d] / valve.solid->mass()[i];
+        A[3 * i + d] = valve.leaflet.pinned[i]
+          ? 0.
+          : A[3 * i + d] / valve.solid->mass()[i] +
+            contact_acceleration[3 * i + d];
   }
 
 
 
   void
   StructureSystem::finish_step(const double *X,
-                               double *V,
-                               const double dt) const
+                               const double *V,
+                               const double dt)
   {
-    const auto scope = timing.scope(sections.contact);
-    valve.act_contact(X, V, dt);
+    const auto scope           = timing.scope(sections.contact);
+    std::vector<double> &after = contact_acceleration;
+    std::copy_n(V, after.size(), after.begin());
+    valve.last_contact = valve.contact->apply_impulse(X, after.data(), dt);
+    for (unsigned int i = 0; i < after.size(); ++i)
+      {
+        const double change = after[i] - V[i];
+        work_of_contact += valve.solid->mass()[i / 3] * change * V[i];
+        contact_acceleration[i] = change / dt;
+      }
   }
 
 

@@ -34,9 +34,22 @@ namespace coapt
                  const double *V,
                  double *A) const;
 
-    /** Contact at the end of a step of length @p dt. Collective. */
+    /**
+     * Contact at the end of a step of length @p dt (s). What it does to the
+     * velocities is kept for the accelerations of the next step, so that it
+     * acts together with the forces that answer it: where contact holds a
+     * pressure, velocities stay zero. Collective.
+     */
     void
-    finish_step(const double *X, double *V, const double dt) const;
+    finish_step(const double *X, const double *V, const double dt);
+
+    /** Work of contact so far (J): its impulses times the velocities that they
+     * meet. */
+    double
+    contact_work() const
+    {
+      return work_of_contact;
+    }
 
     /** Powers (W). */
     struct Powers
@@ -69,6 +82,10 @@ namespace coapt
     {
       unsigned int solid, loads, exchange, contact;
     } sections;
+
+    /** Acceleration by contact in the coming step, of all nodes. */
+    std::vector<double> contact_acceleration;
+    double work_of_contact = 0;
   };
 } // namespace coapt
 
