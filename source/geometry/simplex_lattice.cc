@@ -1,8 +1,8 @@
+#include <coapt/geometry/boundary_faces.h>
 #include <coapt/geometry/coupling_lattice.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 namespace coapt
@@ -79,41 +79,6 @@ namespace coapt
       return longest;
     }
 
-    /** A face of the surface of a mesh, as nodes of its cell. */
-    template <int dim>
-    struct SurfaceFace
-    {
-      unsigned int cell;
-      std::array<unsigned int, dim> vertices;
-    };
-
-    /** The faces that belong to one cell only. */
-    template <int dim>
-    std::vector<SurfaceFace<dim>>
-    surface_faces(const SimplexMesh<dim> &mesh)
-    {
-      using Nodes = std::array<unsigned int, dim>;
-      std::map<Nodes, std::vector<SurfaceFace<dim>>> faces;
-      for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
-        for (unsigned int opposite = 0; opposite <= dim; ++opposite)
-          {
-            SurfaceFace<dim> face{cell, {}};
-            Nodes nodes;
-            for (unsigned int i = 0; i < dim; ++i)
-              {
-                face.vertices[i] = i < opposite ? i : i + 1;
-                nodes[i]         = mesh.cells[cell][face.vertices[i]];
-              }
-            std::sort(nodes.begin(), nodes.end());
-            faces[nodes].push_back(face);
-          }
-      std::vector<SurfaceFace<dim>> result;
-      for (const auto &face : faces)
-        if (face.second.size() == 1)
-          result.push_back(face.second[0]);
-      return result;
-    }
-
     template <int dim>
     double
     area(const std::array<Point<dim>, dim> &corners)
@@ -141,7 +106,7 @@ namespace coapt
                          const double depth)
     {
       std::vector<PlacedSample<dim>> result;
-      for (const SurfaceFace<dim> &face : surface_faces(mesh))
+      for (const BoundaryFace<dim> &face : boundary_faces<dim>(mesh.cells))
         {
           std::array<Point<dim>, dim> corners;
           double longest = 0;

@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <coapt/geometry/boundary_faces.h>
 #include <coapt/metrics/bulging_volume.h>
 #include <coapt/metrics/leaflet_monitor.h>
 #include <coapt/metrics/loads.h>
@@ -23,9 +24,10 @@ namespace coapt
     , history(valve.leaflet.columns.size(),
               valve.parameters.contact.clearance,
               valve.parameters.valve.thickness)
-    , outer_faces(boundary_faces(valve.leaflet.mesh.cells))
     , widest(widest)
   {
+    for (const auto &face : boundary_faces<3>(valve.leaflet.mesh.cells))
+      outer_faces.push_back(face.nodes);
   }
 
 
