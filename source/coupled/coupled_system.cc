@@ -166,15 +166,15 @@ namespace coapt
   {
     wait_for_others();
     const auto scope = timing.scope(sections.solid_exchange);
-    nodes.sum(solid_force.data());
+    nodes.sum_owned(solid_force.data(), velocity_rate);
     const unsigned int begin = nodes.begin();
     for (unsigned int n = 0; n < nodes.n_owned(); ++n)
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const unsigned int i       = dim * (begin + n) + d;
-          position_rate[dim * n + d] = pinned[begin + n] ? 0. : V[i];
+          const bool is_free         = !pinned[begin + n];
+          position_rate[dim * n + d] = is_free ? V[dim * (begin + n) + d] : 0.;
           velocity_rate[dim * n + d] =
-            pinned[begin + n] ? 0. : solid_force[i] / solid.mass()[begin + n];
+            is_free ? velocity_rate[dim * n + d] / solid.mass()[begin + n] : 0.;
         }
   }
 

@@ -30,13 +30,14 @@ namespace coapt
   };
 
   /**
-   * A lattice of points that fills a leaflet: in each surface quadrilateral m
-   * by n points, centred in equal parts of it, no further apart than
-   * @p spacing / @p stretch in the reference and so than @p spacing (m) under
-   * an in-plane stretch up to @p stretch; times
-   * max(@p min_layers, ceil(thickness / spacing)) layers. The volumes add up
-   * to that of the mesh, quadrilateral by quadrilateral. Points are ordered by
-   * quadrilateral.
+   * A lattice of points that fills a leaflet: lines across each strip of
+   * quadrilaterals, at equal distances over the whole strip, and points where
+   * the lines of two strips cross, no further apart than @p spacing /
+   * @p stretch in the reference and so than @p spacing (m) under an in-plane
+   * stretch up to @p stretch; times max(@p min_layers, ceil(thickness /
+   * @p spacing)) layers. Since numbers are rounded once a strip and not once a
+   * quadrilateral, the elements hardly matter. The volumes add up to that of
+   * the mesh. Points are ordered by quadrilateral.
    */
   std::vector<SamplePoint<3>>
   leaflet_lattice(const Leaflet &leaflet,
