@@ -58,7 +58,10 @@ namespace coapt
    * Points on the surface of any mesh, for a body that is several fluid cells
    * thick: none nearer to another than @p spacing (m), and none of the surface
    * further away from all than that. Each stands for the part of the surface
-   * that is nearest to it, with a layer of @p depth (m) below it.
+   * that is nearest to it, with a layer of @p depth (m) below it, and lies
+   * @p retraction (m) below the surface itself: interpolated and spread
+   * linearly, a force at a point stops the flow some way before it (Breugem
+   * 2012, section 3.3, who finds 0.3 cells to give second order).
    *
    * Where a body's interior is coupled, too, the fluid's nodes around it are
    * all fixed, whatever the place of the surface between them; a surface with
@@ -68,7 +71,10 @@ namespace coapt
    */
   template <int dim>
   std::vector<SamplePoint<dim>>
-  surface_lattice(const SimplexMesh<dim> &mesh, double spacing, double depth);
+  surface_lattice(const SimplexMesh<dim> &mesh,
+                  double spacing,
+                  double depth,
+                  double retraction = 0);
 
   /** Throws InputError unless the @p spacing (m) of points is positive. */
   void
