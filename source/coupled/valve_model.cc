@@ -148,6 +148,10 @@ namespace coapt
                                            double *F) {
       chordae->add_forces(t, X, V, F, rank, n_ranks);
     });
+    if (!motion.nodes().empty())
+      system->set_motion([this](const double t, double *X, double *V) {
+        motion.apply(t, X, V);
+      });
     system->set_impulse([this](const double *X, double *V, const double dt) {
       act_contact(X, V, dt);
     });
