@@ -244,11 +244,13 @@ namespace
     check("chordae, the trunk hangs on the anterior leaflet",
           trunk->chorda_class == ChordaClass::anterior_secondary);
 
-    // Half of the trunk and of four branches.
+    // Half of the trunk and of four branches, half as thick.
     double mass = 1e-3 * dealii::numbers::PI_4 * length;
-    for (const Chorda &string : strings)
-      if (string.origin_node == trunk->nodes[0])
-        mass += 0.25e-3 * dealii::numbers::PI_4 * string.rest_length;
+    for (const Point<3> &end : {Point<3>(5.3033, 5.3033, -12),
+                                Point<3>(2.8701, 6.9291, -12),
+                                Point<3>(0, 7.5, -12),
+                                Point<3>(-2.8701, 6.9291, -12)})
+      mass += 0.25e-3 * dealii::numbers::PI_4 * 1e-3 * c.distance(end);
     check_relative("chordae, mass of the branching",
                    tissue.mass()[trunk->nodes[0]],
                    mass / 2,
