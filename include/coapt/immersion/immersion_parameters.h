@@ -12,7 +12,7 @@ namespace coapt
     double spacing = 0.75;
 
     /** In-plane stretch of the leaflet that the spacing allows for. */
-    double expected_stretch = 1.25;
+    double expected_stretch = 1.3;
 
     /** Least number of layers of coupling points through the thickness. */
     unsigned int min_layers = 2;

@@ -108,27 +108,9 @@ namespace coapt
     SmallMatrix<3, Number>
     first_piola(const SmallMatrix<3, Number> &F, const Number *fibre) const
     {
-      const State<Number> s(F);
-      SmallMatrix<3, Number> P{};
-      Number W1 = Number{} + C10, W4_I4{};
-      for (const auto &family : families)
-        {
-          const Fibres<Number> f(*this, s, F, fibre, family);
-          const Number W4      = (1 - 3 * kappa) * f.S;
-          const Number fibrous = 2. * s.iso.value * W4;
-          W1 += kappa * f.S;
-          W4_I4 += W4 * f.I4;
-          for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j)
-              P[i][j] += fibrous * f.Fa[i] * f.direction[j];
-        }
-      const Number matrix = 2. * s.iso.value * W1;
-      const Number pressure =
-        volume().pressure(s.J) + s.iso.derivative * (W1 * s.I1 + W4_I4);
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          P[i][j] += matrix * F[i][j] + pressure * s.cofactor[i][j];
-      return P;
+      // A loop that is known to run once keeps the sums in registers.
+      return families.size() == 1 ? sum_of_stresses<1>(F, fibre)
+                                  : sum_of_stresses<0>(F, fibre);
     }
 
     /**
@@ -181,6 +163,36 @@ namespace coapt
     }
 
   private:
+    /** Stress of the matrix and of all families; @p n_families is zero where
+     * their number is known at run time only. */
+    template <int n_families, typename Number>
+    SmallMatrix<3, Number>
+    sum_of_stresses(const SmallMatrix<3, Number> &F, const Number *fibre) const
+    {
+      const unsigned int n = n_families > 0 ? n_families : families.size();
+      const State<Number> s(F);
+      SmallMatrix<3, Number> P{};
+      Number W1 = Number{} + C10, W4_I4{};
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          const Fibres<Number> f(*this, s, F, fibre, families[k]);
+          const Number W4      = (1 - 3 * kappa) * f.S;
+          const Number fibrous = 2. * s.iso.value * W4;
+          W1 += kappa * f.S;
+          W4_I4 += W4 * f.I4;
+          for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+              P[i][j] += fibrous * f.Fa[i] * f.direction[j];
+        }
+      const Number matrix = 2. * s.iso.value * W1;
+      const Number pressure =
+        volume().pressure(s.J) + s.iso.derivative * (W1 * s.I1 + W4_I4);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          P[i][j] += matrix * F[i][j] + pressure * s.cofactor[i][j];
+      return P;
+    }
+
     VolumetricEnergy
     volume() const
     {
