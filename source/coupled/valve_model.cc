@@ -374,8 +374,10 @@ namespace coapt
   std::string
   ValveModel::name_not_finite(const std::vector<double> &y) const
   {
-    const auto bad = std::find_if(y.begin(), y.end(), [](const double value) {
-      return !(std::abs(value) < 1e100); // or its square overflows
+    // Larger than anything in a valve, so that its powers soon overflow.
+    const double absurd = 1e15;
+    const auto bad = std::find_if(y.begin(), y.end(), [=](const double value) {
+      return !(std::abs(value) < absurd);
     });
     const std::string name =
       bad == y.end() ? "" : name_of_entry(bad - y.begin());
