@@ -128,7 +128,15 @@ namespace coapt
     if (integrator.n_steps() % parameters.step.interval == 0)
       {
         check_finite(recorder);
-        update_step_limits();
+        try
+          {
+            update_step_limits();
+          }
+        catch (const NumericalError &error)
+          {
+            // Values that are still finite, but not their powers.
+            stop(recorder, std::string(error.what()) + ", which is not finite");
+          }
         if (model.band_is_used_up(state) || flow_adaptation_is_due())
           adapt();
       }

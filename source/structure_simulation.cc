@@ -32,14 +32,15 @@ namespace coapt
     , valve(parameters.model, communicator)
     , system(valve, parameters.structure, timing)
     , monitor(valve, system)
-    , integrator(
-        [this](const double t, const double *X, const double *V, double *A) {
-          system.acceleration(t, X, V, A);
-        },
-        system.mass_damping,
-        [this](const double, const double *X, double *V, const double dt) {
-          system.finish_step(X, V, dt);
-        })
+    , integrator([this](const double t,
+                        const double *X,
+                        const double *V,
+                        double *A) { system.acceleration(t, X, V, A); },
+                 system.mass_damping,
+                 [this](const double t, double *X, double *V, const double dt) {
+                   system.move_held_nodes(t, X, V, dt);
+                   system.finish_step(X, V, dt);
+                 })
     , step_control(parameters.step)
     , solid_frequency(*valve.solid,
                       valve.leaflet.mesh,
@@ -121,11 +122,13 @@ namespace coapt
   {
     const auto scope = timing.scope(sections.limits);
     const auto solid = solid_frequency.update(state.data());
+    // Where chordae hold the tissue, both are stiff.
+    const double chordae = valve.chordae->max_frequency();
     step_control.update(
-      {{"solid", central_difference_limit(solid.omega, solid.xi)},
+      {{"solid",
+        central_difference_limit(std::hypot(solid.omega, chordae), solid.xi)},
        {"chordae",
-        central_difference_limit(valve.chordae->max_frequency(),
-                                 valve.chordae->damping_ratio())},
+        central_difference_limit(chordae, valve.chordae->damping_ratio())},
        {"contact", valve.contact_step_limit()}});
   }
 

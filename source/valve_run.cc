@@ -1,3 +1,4 @@
+#include <coapt/base/exceptions.h>
 #include <coapt/simulation.h>
 #include <coapt/structure_simulation.h>
 #include <coapt/valve_run.h>
@@ -22,6 +23,9 @@ namespace coapt
     step.parse_parameters(prm);
     structure.parse_parameters(prm);
     model.parse_parameters(prm);
+    if (structure.in_blood && model.import.is_wanted)
+      throw InputError("Valve/Source = imported needs Structure/Fluid = none; "
+                       "blood flows around generated valves only");
   }
 
 

@@ -148,6 +148,10 @@ namespace coapt
                                            double *F) {
       chordae->add_forces(t, X, V, F, rank, n_ranks);
     });
+    if (!motion.nodes().empty())
+      system->set_motion([this](const double t, double *X, double *V) {
+        motion.apply(t, X, V);
+      });
     system->set_impulse([this](const double *X, double *V, const double dt) {
       act_contact(X, V, dt);
     });
@@ -370,8 +374,10 @@ namespace coapt
   std::string
   ValveModel::name_not_finite(const std::vector<double> &y) const
   {
-    const auto bad = std::find_if(y.begin(), y.end(), [](const double value) {
-      return !(std::abs(value) < 1e100); // or its square overflows
+    // Larger than anything in a valve, so that its powers soon overflow.
+    const double absurd = 1e15;
+    const auto bad = std::find_if(y.begin(), y.end(), [=](const double value) {
+      return !(std::abs(value) < absurd);
     });
     const std::string name =
       bad == y.end() ? "" : name_of_entry(bad - y.begin());

@@ -8,6 +8,64 @@ namespace coapt
 {
   using dealii::Point;
 
+  namespace
+  {
+    std::unique_ptr<const ImportedValve>
+    import_valve(const ModelParameters &parameters)
+    {
+      if (!parameters.import.is_wanted)
+        return nullptr;
+      return std::make_unique<ImportedValve>(parameters.import,
+                                             parameters.valve,
+                                             parameters.solid.density,
+                                             parameters.folder);
+    }
+
+    FittedTube
+    make_lumen(const ModelParameters &parameters, const ImportedValve *imported)
+    {
+      const std::array<double, 2> axes = imported != nullptr
+        ? imported->semi_axes()
+        : std::array<double, 2>{{parameters.valve.annulus_semi_axis_x,
+                                 parameters.valve.annulus_semi_axis_y}};
+      return FittedTube(parameters.lumen, axes[0], axes[1]);
+    }
+
+    Leaflet
+    make_leaflet(const ModelParameters &parameters,
+                 const ImportedValve *imported)
+    {
+      if (imported != nullptr)
+        return imported->leaflet();
+      Leaflet leaflet = generate_leaflet(parameters.valve);
+      if (!parameters.motion.file.empty())
+        add_papillary_nodes(parameters.valve, leaflet);
+      return leaflet;
+    }
+
+    std::vector<Chorda>
+    make_chordae(const ModelParameters &parameters,
+                 const ImportedValve *imported,
+                 const Leaflet &leaflet,
+                 const std::vector<double> &nodal_mass)
+    {
+      return imported != nullptr
+        ? imported->chordae(nodal_mass)
+        : generate_chordae(parameters.valve, leaflet, nodal_mass);
+    }
+
+    PrescribedMotion
+    make_motion(const ModelParameters &parameters, const Leaflet &leaflet)
+    {
+      if (parameters.motion.file.empty())
+        return {};
+      return {find_input_file(parameters.motion.file, parameters.folder),
+              leaflet};
+    }
+  } // namespace
+
+
+
   ValveStructure::ValveStructure(const ModelParameters &parameters,
                                  MPI_Comm communicator)
     : parameters(parameters)
@@ -15,25 +73,26 @@ namespace coapt
     , ventricular_pressure(TimeTable::from_file(
         find_input_file(parameters.ends.pressure_table, parameters.folder),
         parameters.ends.pressure_unit))
-    , lumen(parameters.lumen,
-            parameters.valve.annulus_semi_axis_x,
-            parameters.valve.annulus_semi_axis_y)
-    , leaflet(generate_leaflet(parameters.valve))
+    , imported(import_valve(parameters))
+    , lumen(make_lumen(parameters, imported.get()))
+    , leaflet(make_leaflet(parameters, imported.get()))
     , surface(triangulate(leaflet.quads))
     , solid(std::make_unique<SolidOperator<3>>(leaflet.mesh,
                                                parameters.solid,
                                                leaflet.fibre,
                                                leaflet.prestretch,
                                                communicator,
-                                               cell_normals(leaflet)))
+                                               cell_normals(leaflet),
+                                               leaflet.chordae_mass))
     , chordae(std::make_unique<ChordaeNetwork>(
-        generate_chordae(parameters.valve, leaflet, solid->mass()),
+        make_chordae(parameters, imported.get(), leaflet, solid->mass()),
         solid->mass()))
     , contact(std::make_unique<MidSurfaceContact>(leaflet,
                                                   solid->mass(),
                                                   parameters.solid.density,
                                                   parameters.contact,
                                                   communicator))
+    , motion(make_motion(parameters, leaflet))
   {
   }
 
@@ -54,8 +113,8 @@ namespace coapt
   ValveStructure::leaflet_volume() const
   {
     double volume = 0;
-    for (const double mass : solid->mass())
-      volume += mass / parameters.solid.density;
+    for (const double cell : solid->cell_volumes())
+      volume += cell;
     return volume;
   }
 

@@ -2,6 +2,8 @@
 #include <coapt/io/closure_figures.h>
 #include <coapt/metrics/distribution.h>
 
+#include <algorithm>
+
 namespace coapt
 {
   using namespace units;
@@ -74,8 +76,8 @@ namespace coapt
   Summary
   region_figures(const ValveStructure &valve, const LeafletMonitor &monitor)
   {
-    const std::array<std::string, 4> names = {
-      {"anterior", "posterior", "commissures", "root"}};
+    const std::array<std::string, n_regions> names = {
+      {"anterior", "posterior", "commissures", "root", "septal"}};
     const auto bulging = monitor.bulging_by_region();
     Summary result;
     for (unsigned int region = 0; region < names.size(); ++region)
@@ -87,6 +89,10 @@ namespace coapt
               valve.leaflet.quad_region[valve.leaflet.cell_quad[c]]) == region
               ? valve.solid->cell_volumes()[c]
               : 0.);
+        if (std::all_of(weights.begin(), weights.end(), [](const double w) {
+              return w == 0;
+            }))
+          continue; // the valve has no such part
         const auto &stress = monitor.cell_stress();
         const auto &strain = monitor.cell_strain();
         Summary figures;

@@ -37,7 +37,8 @@ namespace coapt
          {"bulging_volume_mL", s.bulging_volume / millilitre},
          {"orifice_area_mm2", s.orifice.area / square_millimetre},
          {"orifice_disc_mm", s.orifice.disc / millimetre},
-         {"annulus_force_N", s.annulus_force}});
+         {"annulus_force_N", s.annulus_force},
+         {"largest_displacement_mm", s.displacement / millimetre}});
     if (in_blood)
       add({{"tissue_flow_mL_per_s", s.tissue_flow / millilitre},
            {"reynolds", s.reynolds}});
@@ -58,6 +59,7 @@ namespace coapt
       add({{"work_of_load_J", s.works.ends},
            {"work_of_chordae_J", s.works.loads},
            {"work_of_contact_J", s.works.contact},
+           {"work_of_motion_J", s.works.motion},
            {"losses_J", s.works.solid_losses},
            {"energy_kinetic_J", s.energies.solid_kinetic},
            {"energy_elastic_J", s.energies.elastic}});
@@ -305,6 +307,11 @@ namespace coapt
     result.set("chordae_peak_N", chordae);
 
     result.set("annulus_force_N", last.annulus_force);
+    result.set("largest_displacement_mm", last.displacement / millimetre);
+    Summary held;
+    for (const auto &[name, displacement] : last.held_displacement)
+      held.set(name, displacement / millimetre);
+    result.set("held_displacement_mm", held);
     if (settings.in_blood)
       result.set("reynolds_peak", peak_reynolds());
     result.set("stress_mean_kPa", last.mean_stress / kilopascal);

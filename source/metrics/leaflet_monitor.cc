@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <coapt/geometry/boundary_faces.h>
+#include <coapt/geometry/outline.h>
 #include <coapt/metrics/bulging_volume.h>
 #include <coapt/metrics/leaflet_monitor.h>
 #include <coapt/metrics/loads.h>
@@ -71,18 +72,29 @@ namespace coapt
 
 
 
-  std::array<double, 4>
+  std::array<double, n_regions>
   LeafletMonitor::bulging_by_region() const
   {
     // Two triangles for each quadrilateral, in their order.
-    std::array<std::vector<std::array<unsigned int, 3>>, 4> parts;
+    std::array<std::vector<std::array<unsigned int, 3>>, n_regions> parts;
     for (unsigned int i = 0; i < valve.surface.size(); ++i)
       parts[static_cast<unsigned int>(valve.leaflet.quad_region[i / 2])]
         .push_back(valve.surface[i]);
-    std::array<double, 4> result;
-    for (unsigned int i = 0; i < 4; ++i)
+    std::array<double, n_regions> result;
+    for (unsigned int i = 0; i < n_regions; ++i)
       result[i] = bulging_volume(annulus(), surface_points, parts[i]);
     return result;
+  }
+
+
+
+  std::function<bool(const Point<3> &)>
+  LeafletMonitor::in_lumen() const
+  {
+    if (!valve.imported)
+      return [this](const Point<3> &x) { return valve.lumen.inside(x); };
+    const auto outline = std::make_shared<const Outline>(annulus());
+    return [outline](const Point<3> &x) { return outline->inside(x); };
   }
 
 
@@ -112,16 +124,34 @@ namespace coapt
     const double margin = 3 * valve.parameters.valve.thickness;
     lower[2]            = bottom - margin;
     upper[2]            = top + margin;
-    return widest_path(
-      surface_points,
-      valve.surface,
-      valve.parameters.valve.thickness,
-      [this](const Point<3> &x) { return valve.lumen.inside(x); },
-      lower,
-      upper,
-      0.25e-3,
-      widest,
-      valve.communicator);
+    return widest_path(surface_points,
+                       valve.surface,
+                       valve.parameters.valve.thickness,
+                       in_lumen(),
+                       lower,
+                       upper,
+                       0.25e-3,
+                       widest,
+                       valve.communicator);
+  }
+
+
+
+  void
+  LeafletMonitor::measure_displacements(const std::vector<double> &X,
+                                        ValveSample &sample) const
+  {
+    const auto displacement = [&](const unsigned int node) {
+      return valve.leaflet.mesh.points[node].distance(
+        Point<3>(X[3 * node], X[3 * node + 1], X[3 * node + 2]));
+    };
+    for (const auto &column : valve.leaflet.columns)
+      for (const unsigned int node : column)
+        sample.displacement = std::max(sample.displacement, displacement(node));
+    for (const auto &[name, nodes] : valve.leaflet.held_sets)
+      for (const unsigned int node : nodes)
+        sample.held_displacement[name] =
+          std::max(sample.held_displacement[name], displacement(node));
   }
 
 
@@ -157,14 +187,12 @@ namespace coapt
     sample.bulging_volume =
       bulging_volume(annulus(), surface_points, valve.surface);
     sample.annulus_force = annulus_force(X, V);
+    measure_displacements(X, sample);
 
     std::vector<Point<3>> nodes;
     for (unsigned int i = 0; i < X.size(); i += 3)
       nodes.emplace_back(X[i], X[i + 1], X[i + 2]);
-    sample.orifice =
-      seen_orifice(nodes, outer_faces, [this](const Point<3> &x) {
-        return valve.lumen.inside(x);
-      });
+    sample.orifice = seen_orifice(nodes, outer_faces, in_lumen());
 
     sample.path = find_widest_path();
     // Surfaces touch where contact holds them apart, at the clearance.

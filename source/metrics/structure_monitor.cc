@@ -71,7 +71,9 @@ namespace coapt
         works.ends += half * (last.load + now.load);
         works.loads += half * (last.chordae + now.chordae);
         works.solid_losses += half * (last.damping + now.damping);
-        largest_work = std::max(largest_work, std::abs(works.ends));
+        works.motion = system.work_of_motion();
+        largest_work =
+          std::max(largest_work, std::abs(works.ends + works.motion));
       }
     works.contact = system.contact_work();
     accumulate_motion(t, X, V);

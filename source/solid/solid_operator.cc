@@ -73,16 +73,25 @@ namespace coapt
     std::vector<double>
     lumped_mass(const SimplexMesh<dim> &mesh,
                 const std::vector<double> &volumes,
-                const double density)
+                const double density,
+                const std::vector<double> &added)
     {
       std::vector<double> mass(mesh.points.size(), 0.);
+      const unsigned int n_own = mass.size() - added.size();
+      std::copy(added.begin(), added.end(), mass.begin() + n_own);
       for (unsigned int i = 0; i < volumes.size(); ++i)
         for (const unsigned int node : mesh.cells[i])
           mass[node] += density * volumes[i] / (dim + 1);
-      for (unsigned int node = 0; node < mass.size(); ++node)
-        if (!(mass[node] > 0))
-          throw InputError("Solid mesh: node " + std::to_string(node) +
-                           " belongs to no cell.");
+      std::ostringstream list;
+      unsigned int n_bad = 0;
+      for (unsigned int node = 0; node < n_own; ++node)
+        if (!(mass[node] > 0) && ++n_bad <= 10)
+          list << (n_bad > 1 ? "; " : "") << node << " at ("
+               << mesh.points[node] * 1e3 << ") mm";
+      if (n_bad > 0)
+        throw InputError("Solid mesh: " + std::to_string(n_bad) +
+                         " nodes belong to no cell: " + list.str() +
+                         (n_bad > 10 ? "; ..." : "") + ".");
       return mass;
     }
 
@@ -144,7 +153,8 @@ namespace coapt
     const std::vector<dealii::Tensor<1, dim>> &fibre,
     const std::vector<dealii::Tensor<2, dim>> &prestretch,
     const MPI_Comm communicator,
-    const std::vector<dealii::Tensor<1, dim>> &normal)
+    const std::vector<dealii::Tensor<1, dim>> &normal,
+    const std::vector<double> &added_mass)
     : communicator(communicator)
     , density(parameters.density)
     , viscosity(parameters.viscosity)
@@ -165,7 +175,7 @@ namespace coapt
           check_size("normals", normal.size(), volumes.size());
       },
       material);
-    nodal_mass = lumped_mass(mesh, volumes, density);
+    nodal_mass = lumped_mass(mesh, volumes, density, added_mass);
     cells      = partition_cells(mesh, communicator);
     batches    = build_batches(mesh, cells, fibre, prestretch, normal);
 

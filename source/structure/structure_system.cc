@@ -22,7 +22,12 @@ namespace coapt
                 timing.section("Solid exchange"),
                 timing.section("Contact")})
     , contact_acceleration(3 * valve.solid->n_nodes(), 0.)
+    , moved_force(3 * valve.motion.nodes().size(), 0.)
+    , moved_velocity(moved_force)
   {
+    for (const unsigned int node : valve.motion.nodes())
+      for (unsigned int d = 0; d < 3; ++d)
+        moved_position.push_back(valve.leaflet.mesh.points[node][d]);
     if (!parameters.uniform_pressure)
       recorded = std::make_unique<RecordedLoad>(
         find_input_file(parameters.load_file, valve.parameters.folder),
@@ -49,7 +54,7 @@ namespace coapt
   StructureSystem::acceleration(const double t,
                                 const double *X,
                                 const double *V,
-                                double *A) const
+                                double *A)
   {
     const unsigned int n = valve.solid->n_nodes();
     std::fill_n(A, 3 * n, 0.);
@@ -64,12 +69,42 @@ namespace coapt
     }
     const auto scope = timing.scope(sections.exchange);
     nodes.sum(A);
+    for (unsigned int i = 0; i < moved_force.size(); ++i)
+      moved_force[i] = A[3 * valve.motion.nodes()[i / 3] + i % 3];
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int d = 0; d < 3; ++d)
         A[3 * i + d] = valve.leaflet.pinned[i]
           ? 0.
           : A[3 * i + d] / valve.solid->mass()[i] +
             contact_acceleration[3 * i + d];
+  }
+
+
+
+  void
+  StructureSystem::move_held_nodes(const double t,
+                                   double *X,
+                                   double *V,
+                                   const double dt)
+  {
+    const auto &moved = valve.motion.nodes();
+    valve.motion.apply(t, X, nullptr);
+
+    // The forces act between the middles of two steps, as do velocities.
+    const double h = 0.5 * (last_step + dt);
+    for (unsigned int i = 0; i < moved_position.size(); ++i)
+      {
+        const unsigned int entry = 3 * moved[i / 3] + i % 3;
+        const double mass        = valve.solid->mass()[moved[i / 3]];
+        const double velocity    = (X[entry] - moved_position[i]) / dt;
+        const double mean        = 0.5 * (velocity + moved_velocity[i]);
+        motion_work += mean *
+          (mass * (velocity - moved_velocity[i]) +
+           h * (mass_damping * mass * mean - moved_force[i]));
+        V[entry] = moved_velocity[i] = velocity;
+        moved_position[i]            = X[entry];
+      }
+    last_step = dt;
   }
 
 

@@ -14,7 +14,7 @@ endif()
 # the case, its tables, and a run that ends at once should it be accepted
 file(REMOVE_RECURSE ${FOLDER})
 get_filename_component(source ${PARAMETERS} DIRECTORY)
-file(GLOB tables ${source}/*.csv)
+file(GLOB tables ${source}/*.csv ${source}/*.msh)
 file(COPY ${tables} DESTINATION ${FOLDER})
 file(READ ${PARAMETERS} parameters)
 if(NOT parameters MATCHES "End ti|Task = (fit|biaxial)")

@@ -7,6 +7,7 @@
 #include <coapt/coupled/model_parameters.h>
 #include <coapt/geometry/leaflet.h>
 #include <coapt/geometry/lumen.h>
+#include <coapt/import/imported_valve.h>
 #include <coapt/solid/solid_operator.h>
 
 #include <functional>
@@ -16,9 +17,9 @@
 namespace coapt
 {
   /**
-   * The solid half of a mitral valve, built from the parameters: leaflets,
-   * chordae, contact, and the pressure that drives them. It is what a valve in
-   * blood and one without fluid have in common.
+   * The solid half of a valve, generated or imported: leaflets, chordae,
+   * contact, and the pressure that drives them. It is what a valve in blood and
+   * one without fluid have in common.
    */
   class ValveStructure
   {
@@ -55,6 +56,10 @@ namespace coapt
     const ModelParameters parameters;
     const MPI_Comm communicator;
     const TimeTable ventricular_pressure;
+
+    /** The valve from files, if that is where it comes from. */
+    const std::unique_ptr<const ImportedValve> imported;
+
     const FittedTube lumen;
     const Leaflet leaflet;
 
@@ -64,6 +69,9 @@ namespace coapt
     std::unique_ptr<SolidOperator<3>> solid;
     std::unique_ptr<ChordaeNetwork> chordae;
     std::unique_ptr<MidSurfaceContact> contact;
+
+    /** Of the nodes that are held. */
+    const PrescribedMotion motion;
 
     /** What the last contact did. */
     MidSurfaceContact::Result last_contact;

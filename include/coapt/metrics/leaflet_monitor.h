@@ -9,6 +9,9 @@
 #include <coapt/metrics/energy_audit.h>
 #include <coapt/metrics/orifice.h>
 
+#include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace coapt
@@ -36,6 +39,7 @@ namespace coapt
     double tissue_flow         = 0; // through tissue that is not apposed
     double reynolds            = 0; // of the flow through the annulus
     double annulus_force       = 0; // of the tissue on its support
+    double displacement        = 0; // largest of the leaflet
     double largest_velocity    = 0;
     double slip_rms            = 0;
     double hourglass_rms       = 0; // away from the leaflet
@@ -47,7 +51,8 @@ namespace coapt
     EnergyAudit<3>::Works works;
     EnergyAudit<3>::Energies energies;
     std::array<double, ChordaePeaks::n_classes> chordae_tension{};
-    std::vector<double> chorda_tension; // of each
+    std::vector<double> chorda_tension;              // of each
+    std::map<std::string, double> held_displacement; // largest, by set
     WidestPath path;
     Orifice orifice;
     CoaptationResult coaptation;
@@ -120,7 +125,7 @@ namespace coapt
     /** @} */
 
     /** Bulging volume of the parts of the leaflet, by Region (m^3). */
-    std::array<double, 4>
+    std::array<double, n_regions>
     bulging_by_region() const;
 
     /** Largest tension of a chorda in each class so far. */
@@ -174,6 +179,16 @@ namespace coapt
 
     std::vector<dealii::Point<3>>
     annulus() const;
+
+    /** Whether a point is in the lumen: in the tube, or for an imported valve
+     * within the annulus. */
+    std::function<bool(const dealii::Point<3> &)>
+    in_lumen() const;
+
+    /** Largest displacement of the leaflet, and of each set of held nodes. */
+    void
+    measure_displacements(const std::vector<double> &X,
+                          ValveSample &sample) const;
 
     /** Force of the tissue on its support. */
     double

@@ -52,7 +52,8 @@ namespace coapt
      * fibres, and otherwise ignored; @p prestretch F0 (one tensor a cell,
      * positive determinant) may be empty: identity. @p normal (one vector a
      * cell) is needed by materials with several directions in the plane across
-     * it. Collective.
+     * it. @p added_mass is that of the last nodes of the mesh (kg), which may
+     * then belong to no cell. Collective.
      *
      * @throws InputError if cells are inverted or without volume (the first
      * ten are listed), if the material is not admissible or not available
@@ -64,13 +65,15 @@ namespace coapt
                   const std::vector<dealii::Tensor<1, dim>> &fibre,
                   const std::vector<dealii::Tensor<2, dim>> &prestretch,
                   const MPI_Comm communicator,
-                  const std::vector<dealii::Tensor<1, dim>> &normal = {});
+                  const std::vector<dealii::Tensor<1, dim>> &normal = {},
+                  const std::vector<double> &added_mass             = {});
 
     /** Number of nodes. */
     unsigned int
     n_nodes() const;
 
-    /** Lumped mass of every node (kg), of the cells of all ranks. */
+    /** Lumped mass of every node (kg), of the cells of all ranks and what was
+     * added. */
     const std::vector<double> &
     mass() const;
 

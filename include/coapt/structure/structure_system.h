@@ -29,10 +29,12 @@ namespace coapt
     /** Accelerations @p A (m/s^2) at time @p t without the mass damping.
      * Collective. */
     void
-    acceleration(const double t,
-                 const double *X,
-                 const double *V,
-                 double *A) const;
+    acceleration(const double t, const double *X, const double *V, double *A);
+
+    /** Puts the held nodes that move where they are at time @p t, the end of a
+     * step of length @p dt (s), with their mean velocities in it. */
+    void
+    move_held_nodes(const double t, double *X, double *V, const double dt);
 
     /**
      * Contact at the end of a step of length @p dt (s). What it does to the
@@ -49,6 +51,13 @@ namespace coapt
     contact_work() const
     {
       return work_of_contact;
+    }
+
+    /** Work so far (J) on the held nodes to move them. */
+    double
+    work_of_motion() const
+    {
+      return motion_work;
     }
 
     /** Powers (W). */
@@ -86,6 +95,12 @@ namespace coapt
     /** Acceleration by contact in the coming step, of all nodes. */
     std::vector<double> contact_acceleration;
     double work_of_contact = 0;
+
+    /** Of each component of the nodes that are moved: force (N) at the last
+     * evaluation, velocity before, and position. */
+    std::vector<double> moved_force, moved_velocity, moved_position;
+    double motion_work = 0;
+    double last_step   = 0;
   };
 } // namespace coapt
 
