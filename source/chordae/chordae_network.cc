@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace coapt
@@ -87,7 +86,6 @@ namespace coapt
           2 * damping_ratio *
           std::sqrt(axial_stiffness.back() / chorda.rest_length * mass.back()));
       }
-    largest_square_frequency = square_frequency_of_trees(nodal_mass);
     // Where many strings meet, each damps the motion of the branching; together
     // they are to have the damping ratio.
     const std::vector<double> squares =
@@ -103,24 +101,12 @@ namespace coapt
           damping[i] = 2 * damping_ratio * axial_stiffness[i] /
             all_chordae[i].rest_length / std::sqrt(square);
       }
+    for (const double square : squares)
+      largest_square_frequency = std::max(largest_square_frequency, square);
     for (unsigned int i = 0; i < all_chordae.size(); ++i)
       largest_square_frequency =
         std::max(largest_square_frequency,
                  axial_stiffness[i] / (all_chordae[i].rest_length * mass[i]));
-  }
-
-  double
-  ChordaeNetwork::square_frequency_of_trees(
-    const std::vector<double> &nodal_mass) const
-  {
-    const std::vector<double> squares =
-      square_frequencies(all_chordae, axial_stiffness, nodal_mass);
-    return std::accumulate(squares.begin(),
-                           squares.end(),
-                           0.,
-                           [](const double a, const double b) {
-                             return std::max(a, b);
-                           });
   }
 
   dealii::Tensor<1, 3>

@@ -122,10 +122,6 @@ namespace coapt
     static dealii::Point<3>
     origin(const Chorda &chorda, const double *X);
 
-    /** Square of the bound of the frequency of trees; zero without any. */
-    double
-    square_frequency_of_trees(const std::vector<double> &nodal_mass) const;
-
     /** Line of action of the chorda @p i; without @p V, no damping. */
     Pull
     pull(const unsigned int i,
