@@ -276,12 +276,14 @@ namespace coapt
                  std::to_string(1e3 * h) + " mm: the hinge may leak");
     const double ratio =
       points->largest_mass_ratio(*fluid, parameters.solid.density);
-    if (ratio > 2)
+    const double largest_ratio = parameters.coupling.largest_mass_ratio(
+      parameters.solid.density / parameters.fluid.density);
+    if (ratio > largest_ratio)
       log.warn("mass ratio",
                "the solid mass coupled to a fluid node is " +
                  std::to_string(ratio) +
-                 " times the mass of that node (at "
-                 "most about 2 is stable)");
+                 " times the mass of that node (at most " +
+                 std::to_string(largest_ratio) + " is stable)");
     warn_if_unstable(parameters.solid, log);
   }
 
