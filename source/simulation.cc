@@ -10,26 +10,6 @@
 
 namespace coapt
 {
-  void
-  SimulationParameters::declare_parameters(dealii::ParameterHandler &prm)
-  {
-    RunParameters::declare_parameters(prm);
-    StepParameters::declare_parameters(prm);
-    ModelParameters::declare_parameters(prm);
-  }
-
-
-
-  void
-  SimulationParameters::parse_parameters(dealii::ParameterHandler &prm)
-  {
-    run.parse_parameters(prm);
-    step.parse_parameters(prm);
-    model.parse_parameters(prm);
-  }
-
-
-
   Simulation::Simulation(const SimulationParameters &parameters,
                          Log &log,
                          MPI_Comm communicator)
@@ -64,7 +44,7 @@ namespace coapt
   Summary
   Simulation::run(const OutputFolder &folder)
   {
-    Recorder recorder(parameters.run, folder, model, monitor, log);
+    ValveRecorder recorder(parameters.run, folder, model, monitor, log);
     const auto record = [&]() {
       const auto scope = timing.scope(sections.output);
       recorder.record(integrator.time(),
@@ -148,7 +128,15 @@ namespace coapt
     if (integrator.n_steps() % parameters.step.interval == 0)
       {
         check_finite(recorder);
-        update_step_limits();
+        try
+          {
+            update_step_limits();
+          }
+        catch (const NumericalError &error)
+          {
+            // Values that are still finite, but not their powers.
+            stop(recorder, std::string(error.what()) + ", which is not finite");
+          }
         if (model.band_is_used_up(state) || flow_adaptation_is_due())
           adapt();
       }

@@ -1,5 +1,7 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/base/parameter_file.h>
+#include <coapt/biaxial_task.h>
+#include <coapt/fit_task.h>
 #include <coapt/flow_task.h>
 #include <coapt/task.h>
 #include <coapt/valve_task.h>
@@ -23,8 +25,13 @@ namespace coapt
       return std::make_unique<FlowTask>(FlowContents::nothing);
     if (name == "immersed")
       return std::make_unique<FlowTask>(FlowContents::bodies);
+    if (name == "biaxial")
+      return std::make_unique<BiaxialTask>();
+    if (name == "fit")
+      return std::make_unique<FitTask>();
     throw InputError("unknown task '" + name +
-                     "'; there are valve, flow and immersed");
+                     "'; there are valve, flow, immersed, biaxial and "
+                     "fit");
   }
 
 
@@ -34,10 +41,13 @@ namespace coapt
   {
     prm.declare_entry("Task",
                       name,
-                      dealii::Patterns::Selection("valve|flow|immersed"),
+                      dealii::Patterns::Selection(
+                        "valve|flow|immersed|biaxial|fit"),
                       "What to compute: the closure of a valve, the flow of a "
                       "fluid alone in a box, or one with elastic bodies in "
-                      "it. It decides which parameters there are.");
+                      "it, the biaxial test of a sheet, or a material fitted "
+                      "to measurements. It decides which parameters there "
+                      "are.");
   }
 
 

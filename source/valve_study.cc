@@ -50,7 +50,7 @@ namespace coapt
           varied.with_values(prm, i, [&]() {
             cases.back().parse_parameters(prm);
           });
-          Simulation(cases.back(), log, communicator);
+          make_valve_run(cases.back(), log, communicator);
         }
       catch (const InputError &error)
         {
@@ -86,8 +86,8 @@ namespace coapt
     Log own_log(communicator);
     own_log.open(folder.file("coapt.log"));
     own_log.line(Console::banner(communicator));
-    Simulation simulation(cases[i], own_log, communicator);
-    results.push_back(simulation.run(folder));
+    results.push_back(
+      make_valve_run(cases[i], own_log, communicator)->run(folder));
 
     Study::Row row = varied.columns(i);
     for (const std::string &name : costs)

@@ -1,6 +1,7 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/base/first_rank.h>
 #include <coapt/base/parameter_file.h>
+#include <coapt/coupled/valve_model.h>
 #include <coapt/geometry/valve_generator.h>
 #include <coapt/valve_task.h>
 
@@ -39,8 +40,7 @@ namespace coapt
   {
     if (varied.n_runs() == 0)
       {
-        simulation =
-          std::make_unique<Simulation>(parameters, log, communicator);
+        simulation = make_valve_run(parameters, log, communicator);
         return;
       }
     with_file_name(file, [&]() {
@@ -65,15 +65,25 @@ namespace coapt
   void
   ValveTask::preview(Log &log, MPI_Comm communicator)
   {
+    if (!parameters.structure.in_blood)
+      return write_preview(ValveStructure(parameters.model, communicator), log);
     Timing timing;
     ValveModel model(parameters.model, timing, communicator);
     model.state_at_rest(); // distributes the points that are checked
     model.check_resolution(log);
+    write_preview(model, log);
+  }
+
+
+
+  void
+  ValveTask::write_preview(const ValveStructure &valve, Log &log) const
+  {
     const std::string folder = parameters.run.output_folder + "/geometry";
-    on_first_rank(communicator, [&]() -> std::string {
+    on_first_rank(valve.communicator, [&]() -> std::string {
       try
         {
-          write_valve_preview(folder, model.leaflet, model.chordae->chordae());
+          write_valve_preview(folder, valve.leaflet, valve.chordae->chordae());
         }
       catch (const InputError &error)
         {

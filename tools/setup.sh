@@ -28,7 +28,7 @@ install_packages()
   command -v dpkg-query >/dev/null || return 0
   local package missing=() administrator=()
   for package in g++ cmake ninja-build numdiff git mpi-default-bin \
-    libdeal.ii-dev libsundials-dev libmetis-dev python3-vtk9 \
+    libdeal.ii-dev libsundials-dev libmetis-dev libceres-dev python3-vtk9 \
     python3-matplotlib xvfb xauth "$@"; do
     dpkg-query -W -f '${Status}' "$package" 2>/dev/null |
       grep -q 'install ok installed' || missing+=("$package")

@@ -4,6 +4,6 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 build_targets coapt
-for task in valve flow immersed; do
+for task in valve flow immersed biaxial fit; do
   "$build/coapt" --write-defaults "$task"
 done | awk -f "$root/tools/parameters.awk" >"$root/doc/parameters.md"

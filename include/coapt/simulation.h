@@ -1,8 +1,6 @@
 #ifndef coapt_simulation_h
 #define coapt_simulation_h
 
-#include <coapt/base/log.h>
-#include <coapt/base/run_parameters.h>
 #include <coapt/base/timing.h>
 #include <coapt/coupled/valve_model.h>
 #include <coapt/io/recorder.h>
@@ -10,31 +8,15 @@
 #include <coapt/solid/largest_frequency.h>
 #include <coapt/time/explicit_integrator.h>
 #include <coapt/time/step_control.h>
+#include <coapt/valve_run.h>
 
 #include <string>
 #include <vector>
 
 namespace coapt
 {
-  /** All parameters of a run. */
-  struct SimulationParameters
-  {
-    RunParameters run;
-    StepParameters step;
-    ModelParameters model;
-
-    /** Declares all parameters. */
-    static void
-    declare_parameters(dealii::ParameterHandler &prm);
-
-    /** Reads them. Throws InputError with the parameter and what is
-     * allowed. */
-    void
-    parse_parameters(dealii::ParameterHandler &prm);
-  };
-
-  /** The closure of a valve, from rest to the end time. */
-  class Simulation
+  /** The closure of a valve in blood, from rest to the end time. */
+  class Simulation : public ValveRun
   {
   public:
     /** Builds the valve and warns of what may go wrong; throws InputError.
@@ -47,7 +29,7 @@ namespace coapt
      * NumericalError. Returns the figures of the run, on the first rank.
      * Collective. */
     Summary
-    run(const OutputFolder &folder);
+    run(const OutputFolder &folder) override;
 
   private:
     bool

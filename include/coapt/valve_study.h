@@ -3,7 +3,7 @@
 
 #include <coapt/base/varied_parameters.h>
 #include <coapt/io/study.h>
-#include <coapt/simulation.h>
+#include <coapt/valve_run.h>
 
 #include <string>
 #include <vector>

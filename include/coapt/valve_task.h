@@ -1,8 +1,9 @@
 #ifndef coapt_valve_task_h
 #define coapt_valve_task_h
 
-#include <coapt/simulation.h>
+#include <coapt/coupled/valve_structure.h>
 #include <coapt/task.h>
+#include <coapt/valve_run.h>
 #include <coapt/valve_study.h>
 
 #include <memory>
@@ -30,12 +31,15 @@ namespace coapt
     preview(Log &log, MPI_Comm communicator) override;
 
   private:
+    void
+    write_preview(const ValveStructure &valve, Log &log) const;
+
     SimulationParameters parameters;
     VariedParameters varied;
     std::string file;
     dealii::ParameterHandler *prm = nullptr; // of read()
     // one of them
-    std::unique_ptr<Simulation> simulation;
+    std::unique_ptr<ValveRun> simulation;
     std::unique_ptr<ValveStudy> study;
   };
 } // namespace coapt

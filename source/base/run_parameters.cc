@@ -55,6 +55,13 @@ namespace coapt
                       "Time between two sets of files for ParaView (s). They "
                       "are written at the first row of statistics that is due "
                       "after it has passed; 0 writes none.");
+    prm.declare_entry("Surface load",
+                      "false",
+                      Patterns::Bool(),
+                      "Whether a valve in blood writes surface_load.csv: the "
+                      "traction on each point of the leaflets, mean over each "
+                      "Interval, which can drive a run without fluid "
+                      "(Structure: Load).");
     prm.leave_subsection();
   }
 
@@ -73,6 +80,7 @@ namespace coapt
     overwrite       = prm.get_bool("Overwrite");
     output_interval = prm.get_double("Interval");
     fields_interval = prm.get_double("Fields interval");
+    surface_load    = prm.get_bool("Surface load");
     prm.leave_subsection();
 
     if (output_folder.empty())

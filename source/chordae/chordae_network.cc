@@ -11,6 +11,41 @@ namespace coapt
 {
   namespace
   {
+    /** Whether the chorda begins at a node of the arrays. */
+    bool
+    has_origin_node(const Chorda &chorda)
+    {
+      return chorda.origin_node != dealii::numbers::invalid_unsigned_int;
+    }
+
+    /** Bounds of the square of the frequency (1/s^2) of each node, by the sum
+     * of its row of the stiffness matrix; zero for nodes without a string, and
+     * for all if no end but those on the leaflet moves. */
+    std::vector<double>
+    square_frequencies(const std::vector<Chorda> &chordae,
+                       const std::vector<double> &axial_stiffness,
+                       const std::vector<double> &nodal_mass)
+    {
+      std::vector<double> row(nodal_mass.size(), 0.);
+      bool is_tree = false;
+      for (unsigned int i = 0; i < chordae.size(); ++i)
+        {
+          const Chorda &chorda   = chordae[i];
+          const double stiffness = axial_stiffness[i] / chorda.rest_length;
+          const bool moves =
+            has_origin_node(chorda) && nodal_mass[chorda.origin_node] > 0;
+          is_tree = is_tree || moves;
+          if (moves)
+            row[chorda.origin_node] += 2 * stiffness;
+          for (unsigned int k = 0; k < chorda.nodes.size(); ++k)
+            row[chorda.nodes[k]] +=
+              stiffness * chorda.weights[k] * (moves ? 2 : 1);
+        }
+      for (unsigned int n = 0; n < row.size(); ++n)
+        row[n] = is_tree && row[n] > 0 ? row[n] / nodal_mass[n] : 0.;
+      return row;
+    }
+
     void
     check(const Chorda &chorda)
     {
@@ -42,6 +77,8 @@ namespace coapt
         for (unsigned int k = 0; k < chorda.nodes.size(); ++k)
           inverse_mass +=
             chorda.weights[k] * chorda.weights[k] / nodal_mass[chorda.nodes[k]];
+        if (has_origin_node(chorda) && nodal_mass[chorda.origin_node] > 0)
+          inverse_mass += 1 / nodal_mass[chorda.origin_node];
         mass.push_back(1 / inverse_mass);
         axial_stiffness.push_back(chorda.modulus * dealii::numbers::PI_4 *
                                   chorda.diameter * chorda.diameter);
@@ -49,6 +86,27 @@ namespace coapt
           2 * damping_ratio *
           std::sqrt(axial_stiffness.back() / chorda.rest_length * mass.back()));
       }
+    // Where many strings meet, each damps the motion of the branching; together
+    // they are to have the damping ratio.
+    const std::vector<double> squares =
+      square_frequencies(all_chordae, axial_stiffness, nodal_mass);
+    for (unsigned int i = 0; i < all_chordae.size(); ++i)
+      {
+        double square = has_origin_node(all_chordae[i])
+          ? squares[all_chordae[i].origin_node]
+          : 0.;
+        for (const unsigned int node : all_chordae[i].nodes)
+          square = std::max(square, squares[node]);
+        if (square > 0)
+          damping[i] = 2 * damping_ratio * axial_stiffness[i] /
+            all_chordae[i].rest_length / std::sqrt(square);
+      }
+    for (const double square : squares)
+      largest_square_frequency = std::max(largest_square_frequency, square);
+    for (unsigned int i = 0; i < all_chordae.size(); ++i)
+      largest_square_frequency =
+        std::max(largest_square_frequency,
+                 axial_stiffness[i] / (all_chordae[i].rest_length * mass[i]));
   }
 
   dealii::Tensor<1, 3>
@@ -59,6 +117,15 @@ namespace coapt
       for (unsigned int c = 0; c < 3; ++c)
         sum[c] += chorda.weights[k] * x[3 * chorda.nodes[k] + c];
     return sum;
+  }
+
+  dealii::Point<3>
+  ChordaeNetwork::origin(const Chorda &chorda, const double *X)
+  {
+    if (!has_origin_node(chorda))
+      return chorda.tip;
+    const double *x = X + 3 * chorda.origin_node;
+    return dealii::Point<3>(x[0], x[1], x[2]);
   }
 
   double
@@ -75,10 +142,13 @@ namespace coapt
   {
     const Chorda &chorda = all_chordae[i];
     Pull p;
-    p.direction = chorda.tip - mean(chorda, X);
+    p.direction = origin(chorda, X) - mean(chorda, X);
     p.length    = p.direction.norm();
     p.direction /= p.length;
     p.rate = V == nullptr ? 0. : -(mean(chorda, V) * p.direction);
+    if (V != nullptr && has_origin_node(chorda))
+      for (unsigned int c = 0; c < 3; ++c)
+        p.rate += V[3 * chorda.origin_node + c] * p.direction[c];
 
     const double s    = ramp_time > 0 ? std::clamp(t / ramp_time, 0., 1.) : 1.;
     const double rise = s * s * (3 - 2 * s);
@@ -111,6 +181,9 @@ namespace coapt
           for (unsigned int c = 0; c < 3; ++c)
             F[3 * chorda.nodes[k] + c] +=
               chorda.weights[k] * p.tension * p.direction[c];
+        if (has_origin_node(chorda))
+          for (unsigned int c = 0; c < 3; ++c)
+            F[3 * chorda.origin_node + c] -= p.tension * p.direction[c];
       }
   }
 
@@ -172,12 +245,7 @@ namespace coapt
   double
   ChordaeNetwork::max_frequency() const
   {
-    double square = 0;
-    for (unsigned int i = 0; i < all_chordae.size(); ++i)
-      square =
-        std::max(square,
-                 axial_stiffness[i] / (all_chordae[i].rest_length * mass[i]));
-    return std::sqrt(square);
+    return std::sqrt(largest_square_frequency);
   }
 
   std::vector<dealii::Point<3>>
@@ -186,6 +254,15 @@ namespace coapt
     std::vector<dealii::Point<3>> points;
     for (const Chorda &chorda : all_chordae)
       points.emplace_back(mean(chorda, X));
+    return points;
+  }
+
+  std::vector<dealii::Point<3>>
+  ChordaeNetwork::origins(const double *X) const
+  {
+    std::vector<dealii::Point<3>> points;
+    for (const Chorda &chorda : all_chordae)
+      points.push_back(origin(chorda, X));
     return points;
   }
 

@@ -66,6 +66,15 @@ namespace coapt
 
   template <int dim>
   void
+  CoupledSystem<dim>::set_motion(const HeldMotion &motion)
+  {
+    this->motion = motion;
+  }
+
+
+
+  template <int dim>
+  void
   CoupledSystem<dim>::rhs(const double t, const double *y, double *y_dot)
   {
     const StateLayout<dim> &at = state_layout;
@@ -168,15 +177,16 @@ namespace coapt
   {
     wait_for_others();
     const auto scope = timing.scope(sections.solid_exchange);
-    nodes.sum(solid_force.data());
+    nodes.sum_owned(solid_force.data(), velocity_rate);
     const unsigned int begin = nodes.begin();
     for (unsigned int n = 0; n < nodes.n_owned(); ++n)
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const unsigned int i       = dim * (begin + n) + d;
-          position_rate[dim * n + d] = pinned[begin + n] ? 0. : V[i];
-          velocity_rate[dim * n + d] =
-            pinned[begin + n] ? 0. : solid_force[i] / solid.mass()[begin + n];
+          // of held nodes zero, unless they are moved
+          position_rate[dim * n + d] = V[dim * (begin + n) + d];
+          velocity_rate[dim * n + d] = pinned[begin + n]
+            ? 0.
+            : velocity_rate[dim * n + d] / solid.mass()[begin + n];
         }
   }
 
@@ -195,10 +205,12 @@ namespace coapt
 
   template <int dim>
   void
-  CoupledSystem<dim>::finish_step(const double, double *y)
+  CoupledSystem<dim>::finish_step(const double t, double *y)
   {
     // ERKStep evaluates the first stage of the next step right after this.
     stage = 0;
+    if (motion)
+      move_held_nodes(t, y);
 
     const StateLayout<dim> &at = state_layout;
     nodes.gather(y + at.position(), X.data());
@@ -214,6 +226,30 @@ namespace coapt
     const auto scope = timing.scope(sections.weights);
     const bool found = points.update(fluid, X.data(), y + at.multiplier());
     points_left      = dealii::Utilities::MPI::max(found ? 0 : 1, communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::move_held_nodes(const double t, double *y)
+  {
+    const StateLayout<dim> &at = state_layout;
+    nodes.gather(y + at.position(), X.data());
+    nodes.gather(y + at.solid_velocity(), V.data());
+    const std::vector<double> before = V;
+    motion(t, X.data(), V.data());
+    std::vector<double> force = solid_force;
+    nodes.sum(force.data());
+    // What holds a node gives it its kinetic energy, and moves it against the
+    // forces, which are those of the last stage.
+    for (unsigned int i = 0; i < V.size(); ++i)
+      if (pinned[i / dim])
+        motion_work += 0.5 * (V[i] + before[i]) *
+          (solid.mass()[i / dim] * (V[i] - before[i]) - step_length * force[i]);
+    const unsigned int begin = dim * nodes.begin(), n = dim * nodes.n_owned();
+    std::copy_n(X.data() + begin, n, y + at.position());
+    std::copy_n(V.data() + begin, n, y + at.solid_velocity());
   }
 
 

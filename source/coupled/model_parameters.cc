@@ -54,10 +54,12 @@ namespace coapt
     LumenParameters::declare_parameters(prm);
     EndParameters::declare_parameters(prm);
     ValveParameters::declare_parameters(prm);
+    ImportParameters::declare_parameters(prm);
     SolidParameters::declare_parameters(prm);
     ImmersionParameters::declare_parameters(prm);
     ContactParameters::declare_parameters(prm);
     FilmParameters::declare_parameters(prm);
+    MotionParameters::declare_parameters(prm);
   }
 
 
@@ -70,9 +72,11 @@ namespace coapt
     lumen.parse_parameters(prm);
     ends.parse_parameters(prm);
     valve.parse_parameters(prm);
+    import.parse_parameters(prm);
     solid.parse_parameters(prm);
     coupling.parse_parameters(prm);
     contact.parse_parameters(prm);
     film.parse_parameters(prm);
+    motion.parse_parameters(prm);
   }
 } // namespace coapt

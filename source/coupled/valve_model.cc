@@ -3,8 +3,7 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/coupled/valve_model.h>
 #include <coapt/geometry/coupling_lattice.h>
-#include <coapt/geometry/valve_generator.h>
-#include <coapt/geometry/widest_path.h>
+#include <coapt/solid/stability.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,20 +16,10 @@ namespace coapt
   ValveModel::ValveModel(const ModelParameters &parameters,
                          Timing &timing,
                          MPI_Comm communicator)
-    : parameters(parameters)
-    , communicator(communicator)
-    , ventricular_pressure(TimeTable::from_file(
-        find_input_file(parameters.ends.pressure_table, parameters.folder),
-        parameters.ends.pressure_unit))
-    , lumen(parameters.lumen,
-            parameters.valve.annulus_semi_axis_x,
-            parameters.valve.annulus_semi_axis_y)
-    , leaflet(generate_leaflet(parameters.valve))
-    , surface(triangulate(leaflet.quads))
+    : ValveStructure(parameters, communicator)
     , band(parameters.mesh, distance_to_wall())
     , flow_indicator(parameters.mesh)
   {
-    build_solid();
     build_fluid();
     build_coupling(timing);
   }
@@ -41,42 +30,6 @@ namespace coapt
   ValveModel::distance_to_wall() const
   {
     return [this](const Point<3> &x) { return lumen.signed_distance(x); };
-  }
-
-
-
-  ContactParameters
-  ValveModel::contact_parameters() const
-  {
-    ContactParameters result = parameters.contact;
-    // Gaps are known up to the clearance plus half of the margin.
-    if (parameters.film.drains)
-      result.search_margin = std::max(result.search_margin,
-                                      2 *
-                                        (parameters.film.largest_width *
-                                           parameters.mesh.finest_cell() -
-                                         result.clearance));
-    return result;
-  }
-
-
-
-  void
-  ValveModel::build_solid()
-  {
-    solid   = std::make_unique<SolidOperator<3>>(leaflet.mesh,
-                                               parameters.solid,
-                                               leaflet.fibre,
-                                               leaflet.prestretch,
-                                               communicator);
-    chordae = std::make_unique<ChordaeNetwork>(
-      generate_chordae(parameters.valve, leaflet, solid->mass()),
-      solid->mass());
-    contact = std::make_unique<MidSurfaceContact>(leaflet,
-                                                  solid->mass(),
-                                                  parameters.solid.density,
-                                                  contact_parameters(),
-                                                  communicator);
   }
 
 
@@ -168,10 +121,7 @@ namespace coapt
                       parameters.coupling.min_layers),
       communicator);
 
-    std::vector<double> X(3 * solid->n_nodes());
-    for (unsigned int n = 0; n < solid->n_nodes(); ++n)
-      for (unsigned int d = 0; d < 3; ++d)
-        X[3 * n + d] = leaflet.mesh.points[n][d];
+    const std::vector<double> X = reference_positions();
     band.place(points->positions(X.data()));
     work->place(points->positions(X.data()));
     grid->refine_to([this](const Point<3> &center, const double size) {
@@ -198,8 +148,13 @@ namespace coapt
                                            double *F) {
       chordae->add_forces(t, X, V, F, rank, n_ranks);
     });
+    if (!motion.nodes().empty())
+      system->set_motion([this](const double t, double *X, double *V) {
+        motion.apply(t, X, V);
+      });
     system->set_impulse([this](const double *X, double *V, const double dt) {
       act_contact(X, V, dt);
+      act_on_film(X, dt);
     });
     build_film();
   }
@@ -226,12 +181,8 @@ namespace coapt
 
 
   void
-  ValveModel::act_contact(const double *X, double *V, const double dt)
+  ValveModel::act_on_film(const double *X, const double dt)
   {
-    const double before = solid->kinetic_energy(V);
-    last_contact        = contact->apply_impulse(X, V, dt);
-    if (contact_work_listener)
-      contact_work_listener(solid->kinetic_energy(V) - before);
     time_since_film += dt;
     if (film && ++steps_since_film >= parameters.contact.search_interval)
       update_film(X);
@@ -245,14 +196,6 @@ namespace coapt
     film->update(X, contact->state(), time_since_film);
     steps_since_film = 0;
     time_since_film  = 0;
-  }
-
-
-
-  void
-  ValveModel::on_contact_work(const std::function<void(double)> &listener)
-  {
-    contact_work_listener = listener;
   }
 
 
@@ -320,10 +263,8 @@ namespace coapt
   double
   ValveModel::point_spacing(const std::vector<double> &X) const
   {
-    std::vector<double> X0;
-    for (const Point<3> &x : leaflet.mesh.points)
-      X0.insert(X0.end(), {x[0], x[1], x[2]});
-    const std::vector<Point<3>> now = mid_surface(X), then = mid_surface(X0);
+    const std::vector<Point<3>> now  = mid_surface(X),
+                                then = mid_surface(reference_positions());
 
     // The lattice was laid with the spacing over the expected stretch.
     double stretch = 0;
@@ -340,17 +281,6 @@ namespace coapt
         }
     return parameters.coupling.spacing * stretch /
       parameters.coupling.expected_stretch;
-  }
-
-
-
-  double
-  ValveModel::leaflet_volume() const
-  {
-    double volume = 0;
-    for (const double mass : solid->mass())
-      volume += mass / parameters.solid.density;
-    return volume;
   }
 
 
@@ -391,12 +321,15 @@ namespace coapt
                  std::to_string(1e3 * h) + " mm: the hinge may leak");
     const double ratio =
       points->largest_mass_ratio(*fluid, parameters.solid.density);
-    if (ratio > 2)
+    const double largest_ratio = parameters.coupling.largest_mass_ratio(
+      parameters.solid.density / parameters.fluid.density);
+    if (ratio > largest_ratio)
       log.warn("mass ratio",
                "the solid mass coupled to a fluid node is " +
                  std::to_string(ratio) +
-                 " times the mass of that node (at "
-                 "most about 2 is stable)");
+                 " times the mass of that node (at most " +
+                 std::to_string(largest_ratio) + " is stable)");
+    warn_if_unstable(parameters.solid, log);
   }
 
 
@@ -445,16 +378,6 @@ namespace coapt
 
 
 
-  double
-  ValveModel::contact_step_limit() const
-  {
-    return std::sqrt(parameters.contact.stiffness_factor *
-                     parameters.solid.density * parameters.valve.thickness /
-                     parameters.contact.max_stiffness);
-  }
-
-
-
   unsigned int
   ValveModel::cell_of_node(const unsigned int node) const
   {
@@ -498,8 +421,10 @@ namespace coapt
   std::string
   ValveModel::name_not_finite(const std::vector<double> &y) const
   {
-    const auto bad = std::find_if(y.begin(), y.end(), [](const double value) {
-      return !(std::abs(value) < 1e100); // or its square overflows
+    // Larger than anything in a valve, so that its powers soon overflow.
+    const double absurd = 1e15;
+    const auto bad = std::find_if(y.begin(), y.end(), [=](const double value) {
+      return !(std::abs(value) < absurd);
     });
     const std::string name =
       bad == y.end() ? "" : name_of_entry(bad - y.begin());
@@ -510,24 +435,4 @@ namespace coapt
     return "all values are finite";
   }
 
-
-
-  std::vector<Point<3>>
-  ValveModel::mid_surface(const std::vector<double> &nodal) const
-  {
-    std::vector<Point<3>> result(leaflet.columns.size());
-    for (unsigned int c = 0; c < result.size(); ++c)
-      {
-        const std::vector<unsigned int> &column = leaflet.columns[c];
-        for (unsigned int k = 0; k < column.size(); ++k)
-          {
-            const double weight =
-              ((k == 0 || k + 1 == column.size()) ? 0.5 : 1.) /
-              (column.size() - 1);
-            for (unsigned int d = 0; d < 3; ++d)
-              result[c][d] += weight * nodal[3 * column[k] + d];
-          }
-      }
-    return result;
-  }
 } // namespace coapt

@@ -1,6 +1,6 @@
-#include <coapt/fluid/cell_interpolation.h>
 #include <coapt/flow/flow_errors.h>
 #include <coapt/flow/flow_model.h>
+#include <coapt/fluid/cell_interpolation.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>

@@ -5,6 +5,7 @@
 #include <coapt/flow/number_lists.h>
 #include <coapt/flow/signal.h>
 #include <coapt/io/console.h>
+#include <coapt/solid/stability.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,8 @@ namespace coapt
     , state(bodies ? bodies->initial_state() : model.initial_state())
     , start(std::chrono::steady_clock::now())
   {
+    if (parameters.immersed)
+      warn_if_unstable(parameters.immersed->solid, log);
     for (const auto &coordinates : parameters.pressure_points)
       pressure_points.push_back(to_point<dim>(coordinates));
     if (!all_finite(state, model.communicator))

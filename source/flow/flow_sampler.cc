@@ -1,7 +1,7 @@
 #include <coapt/base/exceptions.h>
-#include <coapt/fluid/cell_interpolation.h>
 #include <coapt/flow/flow_model.h>
 #include <coapt/flow/flow_sampler.h>
+#include <coapt/fluid/cell_interpolation.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>

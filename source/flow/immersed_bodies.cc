@@ -107,8 +107,8 @@ namespace coapt
     if (parameters.immersed->damping_rate > 0)
       add_damping();
     for (const auto &coordinates : parameters.immersed->displacement_points)
-      displacement_points.push_back(
-        find_material_point(body.mesh, to_point<dim>(coordinates)));
+      displacement_points.push_back(find_material_point(
+        body.mesh, to_point<dim>(coordinates), "Body/Displacement points"));
     for (const CellRange &range : ranges)
       initial_volumes.push_back(
         std::accumulate(solid.cell_volumes().begin() + range.first,
@@ -152,7 +152,7 @@ namespace coapt
                           body.mesh.cells.begin() + range.second);
         const double spacing = immersed.coupling.spacing * h;
         auto samples         = immersed.couples_surface
-                  ? surface_lattice(mesh, spacing, h)
+                  ? surface_lattice(mesh, spacing, h, immersed.retraction * h)
                   : simplex_lattice(mesh, spacing);
         for (SamplePoint<dim> &sample : samples)
           sample.cell += range.first;

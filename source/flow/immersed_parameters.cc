@@ -111,6 +111,12 @@ namespace coapt
                       "moves by whole cells. surface, with Coupling/Point "
                       "spacing 1, is for bodies at least two cells thick: the "
                       "flow feels where in a cell the surface is.");
+    prm.declare_entry("Retraction",
+                      "0.25",
+                      Double(0, 1),
+                      "Depth of the coupling points below a coupled surface "
+                      "over the size of the smallest fluid cells (-). The flow "
+                      "comes to rest that much before the points.");
     prm.declare_entry("Damping rate",
                       "0",
                       Double(0),
@@ -166,6 +172,7 @@ namespace coapt
     prm.enter_subsection("Body");
     element_size        = prm.get_double("Element size");
     couples_surface     = prm.get("Coupled part") == "surface";
+    retraction          = prm.get_double("Retraction");
     damping_rate        = prm.get_double("Damping rate");
     held                = prm.get("Held");
     displacement_points = read_points("Body/Displacement points",

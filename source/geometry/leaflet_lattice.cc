@@ -1,5 +1,6 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/geometry/coupling_lattice.h>
+#include <coapt/geometry/quad_strips.h>
 
 #include <algorithm>
 #include <cmath>
@@ -150,52 +151,98 @@ namespace coapt
     }
 
     double
-    total_volume(const SimplexMesh<3> &mesh,
-                 const std::vector<unsigned int> &cells)
+    total_volume(const SimplexMesh<3> &mesh)
     {
       double sum = 0;
-      for (const unsigned int cell : cells)
-        {
-          const auto &v = mesh.cells[cell];
-          sum += volume(mesh.points[v[0]],
-                        mesh.points[v[1]],
-                        mesh.points[v[2]],
-                        mesh.points[v[3]]);
-        }
+      for (const auto &v : mesh.cells)
+        sum += volume(mesh.points[v[0]],
+                      mesh.points[v[1]],
+                      mesh.points[v[2]],
+                      mesh.points[v[3]]);
       return sum;
+    }
+
+    /** Where lines of points cross a quad: their coordinates, 0 to 1, and the
+     * part of its width that belongs to each. */
+    struct Lines
+    {
+      std::vector<double> places;
+      double width = 0;
+    };
+
+    /** Lines across a quad: those of constant u, and of constant v. */
+    using QuadLines = std::array<Lines, 2>;
+
+    /**
+     * Lines at equal distances along the whole @p strip, at most @p in_plane
+     * apart on both sides of the leaflet. Their number is even along a closed
+     * strip, so that a leaflet with a plane of symmetry has symmetric points.
+     */
+    void
+    add_lines(const QuadStrip &strip,
+              const std::vector<ColumnMap> &maps,
+              const double in_plane,
+              std::vector<QuadLines> &lines)
+    {
+      std::vector<double> ends = {0.};
+      for (const QuadStrip::Crossing &crossing : strip.crossings)
+        ends.push_back(
+          ends.back() +
+          maps[crossing.quad].longest_edge(crossing.direction,
+                                           crossing.direction + 1));
+      unsigned int n = std::ceil(ends.back() / in_plane * (1 - 1e-12));
+      if (strip.is_closed)
+        n += n % 2;
+      const double step = ends.back() / n;
+      for (unsigned int i = 0, k = 0; i < strip.crossings.size(); ++i)
+        {
+          const QuadStrip::Crossing &crossing = strip.crossings[i];
+          const double length                 = ends[i + 1] - ends[i];
+          Lines &here = lines[crossing.quad][crossing.direction];
+          here.width  = step / length;
+          for (; k < n && (k + 0.5) * step < ends[i + 1]; ++k)
+            {
+              const double place = ((k + 0.5) * step - ends[i]) / length;
+              here.places.push_back(crossing.is_reversed ? 1 - place : place);
+            }
+        }
     }
 
     void
     fill_quad(const Leaflet &leaflet,
               const unsigned int quad,
+              const ColumnMap &map,
               const std::vector<unsigned int> &cells,
-              const double in_plane,
+              const QuadLines &lines,
               const unsigned int n_layers,
               std::vector<SamplePoint<3>> &samples)
     {
-      const ColumnMap map(leaflet, quad);
-      const unsigned int m    = std::ceil(map.longest_edge(0, 1) / in_plane);
-      const unsigned int n    = std::ceil(map.longest_edge(1, 2) / in_plane);
-      const std::size_t first = samples.size();
-      double sum              = 0;
-      for (unsigned int i = 0; i < m; ++i)
-        for (unsigned int j = 0; j < n; ++j)
+      for (const double u : lines[0].places)
+        for (const double v : lines[1].places)
           for (unsigned int k = 0; k < n_layers; ++k)
             {
-              const double u = (i + 0.5) / m, v = (j + 0.5) / n;
               SamplePoint<3> sample;
               sample.quad  = quad;
               sample.depth = (k + 0.5) / n_layers;
               locate(leaflet.mesh, cells, map(u, v, sample.depth), sample);
-              sample.volume = map.jacobian(u, v, sample.depth);
-              sum += sample.volume;
+              sample.volume = map.jacobian(u, v, sample.depth) *
+                lines[0].width * lines[1].width / n_layers;
               samples.push_back(sample);
             }
-      const double scale = total_volume(leaflet.mesh, cells) / sum;
-      for (std::size_t s = first; s < samples.size(); ++s)
-        samples[s].volume *= scale;
     }
 
+    /** Makes the volumes add up to that of the mesh. */
+    void
+    rescale_volumes(const SimplexMesh<3> &mesh,
+                    std::vector<SamplePoint<3>> &samples)
+    {
+      double sum = 0;
+      for (const SamplePoint<3> &sample : samples)
+        sum += sample.volume;
+      const double scale = total_volume(mesh) / sum;
+      for (SamplePoint<3> &sample : samples)
+        sample.volume *= scale;
+    }
   } // namespace
 
 
@@ -211,9 +258,16 @@ namespace coapt
     const unsigned int n_layers = std::max<unsigned int>(
       min_layers, std::ceil(leaflet.thickness / spacing * (1 - 1e-12)));
     const auto cells = cells_of_quads(leaflet);
+    std::vector<ColumnMap> maps;
+    for (unsigned int q = 0; q < leaflet.quads.size(); ++q)
+      maps.emplace_back(leaflet, q);
+    std::vector<QuadLines> lines(leaflet.quads.size());
+    for (const QuadStrip &strip : quad_strips(leaflet.quads))
+      add_lines(strip, maps, spacing / stretch, lines);
     std::vector<SamplePoint<3>> samples;
     for (unsigned int q = 0; q < leaflet.quads.size(); ++q)
-      fill_quad(leaflet, q, cells[q], spacing / stretch, n_layers, samples);
+      fill_quad(leaflet, q, maps[q], cells[q], lines[q], n_layers, samples);
+    rescale_volumes(leaflet.mesh, samples);
     return samples;
   }
 } // namespace coapt

@@ -1,8 +1,9 @@
+#include <coapt/geometry/boundary_faces.h>
 #include <coapt/geometry/coupling_lattice.h>
+#include <coapt/geometry/material_point.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 namespace coapt
@@ -79,41 +80,6 @@ namespace coapt
       return longest;
     }
 
-    /** A face of the surface of a mesh, as nodes of its cell. */
-    template <int dim>
-    struct SurfaceFace
-    {
-      unsigned int cell;
-      std::array<unsigned int, dim> vertices;
-    };
-
-    /** The faces that belong to one cell only. */
-    template <int dim>
-    std::vector<SurfaceFace<dim>>
-    surface_faces(const SimplexMesh<dim> &mesh)
-    {
-      using Nodes = std::array<unsigned int, dim>;
-      std::map<Nodes, std::vector<SurfaceFace<dim>>> faces;
-      for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
-        for (unsigned int opposite = 0; opposite <= dim; ++opposite)
-          {
-            SurfaceFace<dim> face{cell, {}};
-            Nodes nodes;
-            for (unsigned int i = 0; i < dim; ++i)
-              {
-                face.vertices[i] = i < opposite ? i : i + 1;
-                nodes[i]         = mesh.cells[cell][face.vertices[i]];
-              }
-            std::sort(nodes.begin(), nodes.end());
-            faces[nodes].push_back(face);
-          }
-      std::vector<SurfaceFace<dim>> result;
-      for (const auto &face : faces)
-        if (face.second.size() == 1)
-          result.push_back(face.second[0]);
-      return result;
-    }
-
     template <int dim>
     double
     area(const std::array<Point<dim>, dim> &corners)
@@ -125,11 +91,38 @@ namespace coapt
       return std::sqrt((u * u) * (v * v) - (u * v) * (u * v)) / 2;
     }
 
+    /** Unit normal of a face towards the cell behind it. */
+    template <int dim>
+    Tensor<1, dim>
+    inward_normal(const std::array<Point<dim>, dim> &corners,
+                  const Point<dim> &behind)
+    {
+      Tensor<1, dim> normal;
+      if constexpr (dim == 2)
+        normal = cross_product_2d(corners[1] - corners[0]);
+      else
+        normal =
+          cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
+      normal /= normal.norm();
+      return normal * (behind - corners[0]) > 0 ? normal : -normal;
+    }
+
+    template <int dim>
+    Point<dim>
+    centroid(const SimplexMesh<dim> &mesh, const unsigned int cell)
+    {
+      Point<dim> result;
+      for (const unsigned int node : mesh.cells[cell])
+        result += mesh.points[node] / (dim + 1.);
+      return result;
+    }
+
     template <int dim>
     struct PlacedSample
     {
       SamplePoint<dim> sample;
       Point<dim> position;
+      Tensor<1, dim> inwards; // unit normal of the surface
     };
 
     /** Points at most @p spacing apart all over the surface, each with the
@@ -141,7 +134,7 @@ namespace coapt
                          const double depth)
     {
       std::vector<PlacedSample<dim>> result;
-      for (const SurfaceFace<dim> &face : surface_faces(mesh))
+      for (const BoundaryFace<dim> &face : boundary_faces<dim>(mesh.cells))
         {
           std::array<Point<dim>, dim> corners;
           double longest = 0;
@@ -151,19 +144,21 @@ namespace coapt
               for (unsigned int j = 0; j < i; ++j)
                 longest = std::max(longest, corners[i].distance(corners[j]));
             }
-          const auto centroids =
+          const auto parts =
             part_centroids<dim - 1>(std::ceil(longest / spacing));
-          for (const auto &centroid : centroids)
+          const Tensor<1, dim> inwards =
+            inward_normal<dim>(corners, centroid(mesh, face.cell));
+          for (const auto &part : parts)
             {
               PlacedSample<dim> placed;
               placed.sample.cell = face.cell;
               for (unsigned int i = 0; i < dim; ++i)
                 {
-                  placed.sample.barycentric[face.vertices[i]] = centroid[i];
-                  placed.position += centroid[i] * corners[i];
+                  placed.sample.barycentric[face.vertices[i]] = part[i];
+                  placed.position += part[i] * corners[i];
                 }
-              placed.sample.volume =
-                area<dim>(corners) * depth / centroids.size();
+              placed.inwards       = inwards;
+              placed.sample.volume = area<dim>(corners) * depth / parts.size();
               result.push_back(placed);
             }
         }
@@ -204,7 +199,8 @@ namespace coapt
   std::vector<SamplePoint<dim>>
   surface_lattice(const SimplexMesh<dim> &mesh,
                   const double spacing,
-                  const double depth)
+                  const double depth,
+                  const double retraction)
   {
     check_point_spacing(spacing);
     std::vector<PlacedSample<dim>> dense =
@@ -235,7 +231,18 @@ namespace coapt
         ->sample.volume += part.sample.volume;
     std::vector<SamplePoint<dim>> samples;
     for (const PlacedSample<dim> &placed : kept)
-      samples.push_back(placed.sample);
+      {
+        samples.push_back(placed.sample);
+        if (retraction > 0)
+          {
+            const MaterialPoint<dim> inside =
+              find_material_point(mesh,
+                                  placed.position + retraction * placed.inwards,
+                                  "Retracted coupling point");
+            samples.back().cell        = inside.cell;
+            samples.back().barycentric = inside.weights;
+          }
+      }
     return samples;
   }
 
@@ -246,7 +253,13 @@ namespace coapt
   template std::vector<SamplePoint<3>>
   simplex_lattice<3>(const SimplexMesh<3> &, const double);
   template std::vector<SamplePoint<2>>
-  surface_lattice<2>(const SimplexMesh<2> &, const double, const double);
+  surface_lattice<2>(const SimplexMesh<2> &,
+                     const double,
+                     const double,
+                     const double);
   template std::vector<SamplePoint<3>>
-  surface_lattice<3>(const SimplexMesh<3> &, const double, const double);
+  surface_lattice<3>(const SimplexMesh<3> &,
+                     const double,
+                     const double,
+                     const double);
 } // namespace coapt

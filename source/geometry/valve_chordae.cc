@@ -19,6 +19,23 @@ namespace coapt
       double angle, height; // rad on its own side; fraction
     };
 
+    /** Papillary tip of one side. */
+    Point<3>
+    papillary_tip(const ValveParameters &valve, const bool right)
+    {
+      Point<3> tip = valve.papillary_tip;
+      if (!right)
+        tip[0] *= -1;
+      return tip;
+    }
+
+    /** Name of that tip as a held node. */
+    std::string
+    papillary_name(const bool right)
+    {
+      return right ? "papillary_right" : "papillary_left";
+    }
+
     std::vector<Site>
     sites(const ValveParameters &valve)
     {
@@ -131,9 +148,10 @@ namespace coapt
       chorda.diameter =
         site.primary ? valve.primary_diameter : valve.secondary_diameter;
       chorda.modulus = valve.chordae_modulus;
-      chorda.tip     = valve.papillary_tip;
-      if (!site.right)
-        chorda.tip[0] *= -1;
+      chorda.tip     = papillary_tip(valve, site.right);
+      const auto tip = leaflet.held_sets.find(papillary_name(site.right));
+      if (tip != leaflet.held_sets.end())
+        chorda.origin_node = tip->second.front();
 
       const unsigned int column = nearest_column(valve, site);
       const auto place          = leaflet.column_coordinates[column];
@@ -155,6 +173,21 @@ namespace coapt
       return chorda;
     }
   } // namespace
+
+
+
+  void
+  add_papillary_nodes(const ValveParameters &valve, Leaflet &leaflet)
+  {
+    for (const bool right : {true, false})
+      {
+        leaflet.held_sets[papillary_name(right)] = {
+          static_cast<unsigned int>(leaflet.mesh.points.size())};
+        leaflet.mesh.points.push_back(papillary_tip(valve, right));
+        leaflet.pinned.push_back(true);
+        leaflet.chordae_mass.push_back(0.);
+      }
+  }
 
 
 

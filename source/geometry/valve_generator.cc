@@ -1,4 +1,5 @@
 #include <coapt/base/exceptions.h>
+#include <coapt/geometry/prestretch.h>
 #include <coapt/geometry/valve_generator.h>
 
 #include <algorithm>
@@ -214,13 +215,10 @@ namespace coapt
           for (unsigned int d = 0; d < 3; ++d)
             prestretch[d][d] = 1;
           if (leaflet.quad_region[q] != Region::root)
-            {
-              const double c = valve.circumferential_prestretch;
-              const double r = valve.radial_prestretch;
-              prestretch     = c * outer_product(around, around) +
-                r * outer_product(radial, radial) +
-                1 / (c * r) * outer_product(normal, normal);
-            }
+            prestretch = sheet_prestretch(around,
+                                          radial,
+                                          valve.circumferential_prestretch,
+                                          valve.radial_prestretch);
           leaflet.prestretch.push_back(prestretch);
         }
     }
@@ -247,6 +245,9 @@ namespace coapt
               leaflet.pinned[nodes[(valve.n_layers + 1) / 2]] = true;
             }
         }
+      for (unsigned int node = 0; node < leaflet.pinned.size(); ++node)
+        if (leaflet.pinned[node])
+          leaflet.held_sets["annulus"].push_back(node);
     }
   } // namespace
 

@@ -123,7 +123,7 @@ namespace coapt
       out << "</PointData>\n<CellData>\n";
       write_array(out,
                   "UInt8",
-                  "region_0_anterior_1_posterior_2_commissure_3_root",
+                  "region_0_anterior_1_posterior_2_commissure_3_root_4_septal",
                   1,
                   leaflet.cell_quad,
                   [&](const unsigned int quad) {

@@ -61,13 +61,22 @@ namespace coapt
     damping_ratio       = prm.get_double("Damping ratio");
     prm.leave_subsection();
 
-    // The rate of the constraint is G = 2 beta / rho*, and G dt must stay
-    // below what the integrator bears on the real axis.
-    const double rate = 4 * damping_ratio / relaxation_steps, largest = 2.5;
-    if (rate > largest)
+    // Equal masses are what every body brings about within it.
+    if (largest_mass_ratio(1.) < 1.)
       throw InputError("Coupling: 4 Damping ratio / Relaxation steps is " +
-                       std::to_string(rate) +
+                       std::to_string(4 * damping_ratio / relaxation_steps) +
                        ", but must be at most 2.5 to be stable");
+  }
+
+
+
+  double
+  ImmersionParameters::largest_mass_ratio(const double density_ratio) const
+  {
+    const double real_axis = 2.5;
+    return real_axis * relaxation_steps / (4 * damping_ratio) *
+      (1 + density_ratio) -
+      1;
   }
 
 

@@ -2,6 +2,8 @@
 #include <coapt/io/closure_figures.h>
 #include <coapt/metrics/distribution.h>
 
+#include <algorithm>
+
 namespace coapt
 {
   using namespace units;
@@ -15,11 +17,11 @@ namespace coapt
 
 
   Summary
-  segment_figures(const ValveModel &model,
-                  const ValveMonitor &monitor,
+  segment_figures(const ValveStructure &valve,
+                  const LeafletMonitor &monitor,
                   const MeanTractions &tractions)
   {
-    const auto &state  = model.contact->state();
+    const auto &state  = valve.contact->state();
     const auto profile = monitor.coaptation().profile(state.gap,
                                                       tractions.total,
                                                       state.current_area,
@@ -42,11 +44,11 @@ namespace coapt
 
 
   Summary
-  gap_figures(const ValveModel &model,
-              const ValveMonitor &monitor,
+  gap_figures(const ValveStructure &valve,
+              const LeafletMonitor &monitor,
               const MeanTractions &tractions)
   {
-    const auto &state = model.contact->state();
+    const auto &state = valve.contact->state();
     const auto gaps   = monitor.coaptation().gaps(state.gap,
                                                 tractions.total,
                                                 state.current_area,
@@ -72,21 +74,25 @@ namespace coapt
 
 
   Summary
-  region_figures(const ValveModel &model, const ValveMonitor &monitor)
+  region_figures(const ValveStructure &valve, const LeafletMonitor &monitor)
   {
-    const std::array<std::string, 4> names = {
-      {"anterior", "posterior", "commissures", "root"}};
+    const std::array<std::string, n_regions> names = {
+      {"anterior", "posterior", "commissures", "root", "septal"}};
     const auto bulging = monitor.bulging_by_region();
     Summary result;
     for (unsigned int region = 0; region < names.size(); ++region)
       {
         std::vector<double> weights;
-        for (unsigned int c = 0; c < model.leaflet.cell_quad.size(); ++c)
+        for (unsigned int c = 0; c < valve.leaflet.cell_quad.size(); ++c)
           weights.push_back(
             static_cast<unsigned int>(
-              model.leaflet.quad_region[model.leaflet.cell_quad[c]]) == region
-              ? model.solid->cell_volumes()[c]
+              valve.leaflet.quad_region[valve.leaflet.cell_quad[c]]) == region
+              ? valve.solid->cell_volumes()[c]
               : 0.);
+        if (std::all_of(weights.begin(), weights.end(), [](const double w) {
+              return w == 0;
+            }))
+          continue; // the valve has no such part
         const auto &stress = monitor.cell_stress();
         const auto &strain = monitor.cell_strain();
         Summary figures;

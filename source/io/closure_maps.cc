@@ -25,11 +25,11 @@ namespace coapt
     };
 
     std::vector<ColumnMap>
-    column_maps(const ValveModel &model,
-                const ValveMonitor &monitor,
+    column_maps(const ValveStructure &valve,
+                const LeafletMonitor &monitor,
                 const MeanTractions &tractions)
     {
-      const auto &state   = model.contact->state();
+      const auto &state   = valve.contact->state();
       const auto filtered = [&](const std::vector<double> &values) {
         return monitor.coaptation().average(values, state.current_area);
       };
@@ -101,12 +101,12 @@ namespace coapt
     }
 
     void
-    write_profile(const ValveModel &model,
-                  const ValveMonitor &monitor,
+    write_profile(const ValveStructure &valve,
+                  const LeafletMonitor &monitor,
                   const MeanTractions &tractions,
                   const std::string &file)
     {
-      const auto &state  = model.contact->state();
+      const auto &state  = valve.contact->state();
       const auto profile = monitor.coaptation().profile(state.gap,
                                                         tractions.total,
                                                         state.current_area,
@@ -123,12 +123,12 @@ namespace coapt
     }
 
     void
-    write_distribution(const ValveModel &model,
+    write_distribution(const ValveStructure &valve,
                        const std::vector<ColumnMap> &quantities,
                        const std::string &file)
     {
       // the area of the columns that coapt
-      const auto &area = model.contact->state().current_area;
+      const auto &area = valve.contact->state().current_area;
       std::vector<double> weights;
       for (unsigned int c = 0; c < area.size(); ++c)
         weights.push_back(area[c] * quantities.back().values[c]);
@@ -146,22 +146,22 @@ namespace coapt
     }
 
     void
-    write_sections(const ValveModel &model,
+    write_sections(const ValveStructure &valve,
                    const std::vector<Point<3>> &current,
                    const std::string &file)
     {
       std::vector<Point<3>> reference;
-      for (unsigned int c = 0; c < model.leaflet.columns.size(); ++c)
-        reference.push_back(middle_of_column(model.leaflet, c));
+      for (unsigned int c = 0; c < valve.leaflet.columns.size(); ++c)
+        reference.push_back(middle_of_column(valve.leaflet, c));
       const std::array<const std::vector<Point<3>> *, 2> shapes = {
         {&reference, &current}};
       Statistics table(file, MPI_COMM_SELF);
       for (const double fraction : {-0.5, 0., 0.5})
         for (unsigned int shape = 0; shape < 2; ++shape)
           {
-            const double x = fraction * model.lumen.semi_axis_x();
+            const double x = fraction * valve.lumen.semi_axis_x();
             const auto curves =
-              surface_section(*shapes[shape], model.surface, x);
+              surface_section(*shapes[shape], valve.surface, x);
             for (unsigned int i = 0; i < curves.size(); ++i)
               for (const Point<3> &point : curves[i])
                 table.write_row({{"x_mm", x / millimetre},
@@ -177,21 +177,21 @@ namespace coapt
 
   void
   write_closure_maps(
-    const ValveModel &model,
-    const ValveMonitor &monitor,
+    const ValveStructure &valve,
+    const LeafletMonitor &monitor,
     const MeanTractions &tractions,
     const std::function<std::string(const std::string &)> &file)
   {
-    const UnrolledLeaflet map(model.leaflet,
+    const UnrolledLeaflet map(valve.leaflet,
                               monitor.coaptation().leaflet_lines());
-    const auto quantities = column_maps(model, monitor, tractions);
-    write_map_grid(map, model.leaflet, quantities, file("contact_map.vtu"));
+    const auto quantities = column_maps(valve, monitor, tractions);
+    write_map_grid(map, valve.leaflet, quantities, file("contact_map.vtu"));
     write_map_table(map,
                     monitor.mid_surface(),
                     quantities,
                     file("contact_map.csv"));
-    write_profile(model, monitor, tractions, file("coaptation.csv"));
-    write_distribution(model, quantities, file("pressure_distribution.csv"));
-    write_sections(model, monitor.mid_surface(), file("sections.csv"));
+    write_profile(valve, monitor, tractions, file("coaptation.csv"));
+    write_distribution(valve, quantities, file("pressure_distribution.csv"));
+    write_sections(valve, monitor.mid_surface(), file("sections.csv"));
   }
 } // namespace coapt

@@ -165,12 +165,13 @@ namespace coapt
     if (is_first_rank(communicator))
       {
         const std::vector<Point<3>> ends = chordae.attachment_points(X.data());
+        const std::vector<Point<3>> origins = chordae.origins(X.data());
         std::vector<Point<3>> points;
         std::vector<unsigned int> connectivity;
         std::vector<double> classes;
         for (unsigned int i = 0; i < ends.size(); ++i)
           {
-            points.push_back(chordae.chordae()[i].tip);
+            points.push_back(origins[i]);
             points.push_back(ends[i]);
             connectivity.push_back(2 * i);
             connectivity.push_back(2 * i + 1);

@@ -1,8 +1,10 @@
 #include <deal.II/base/mpi.h>
 
 #include <coapt/base/exceptions.h>
+#include <coapt/base/first_rank.h>
 #include <coapt/io/recorder.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace coapt
@@ -22,18 +24,20 @@ namespace coapt
 
   Recorder::Recorder(const RunParameters &parameters,
                      const OutputFolder &folder,
-                     const ValveModel &model,
-                     ValveMonitor &monitor,
+                     const ValveStructure &valve,
+                     const LeafletMonitor &monitor,
+                     const ReportSettings &settings,
                      Log &log)
     : folder(folder)
-    , model(model)
-    , monitor(monitor)
     , log(log)
+    , fields(folder.file("fields"), valve.communicator)
+    , valve(valve)
+    , monitor(monitor)
+    , in_blood(settings.in_blood)
     , console(parameters.end_time)
-    , statistics(folder.file("statistics.csv"), model.communicator)
-    , chordae_table(folder.file("chordae.csv"), model.communicator)
-    , fields(folder.file("fields"), model.communicator)
-    , report(parameters.end_time, model.parameters.mesh.finest_cell())
+    , statistics(folder.file("statistics.csv"), valve.communicator)
+    , chordae_table(folder.file("chordae.csv"), valve.communicator)
+    , report(settings)
     , fields_interval(parameters.fields_interval)
   {
   }
@@ -46,18 +50,18 @@ namespace coapt
                    const RunCost &cost,
                    const std::string &limiter)
   {
-    const ValveSample sample = monitor.sample(t, y);
-    report.add(sample, monitor);
-    statistics.write_row(statistics_row(sample, cost));
-    chordae_table.write_row(chordae_row(sample, model.chordae->chordae()));
+    const ValveSample now = sample(t, y);
+    report.add(now, monitor);
+    statistics.write_row(statistics_row(now, cost, in_blood));
+    chordae_table.write_row(chordae_row(now, valve.chordae->chordae()));
     log.line(console.line({t,
                            cost.step_length,
                            limiter,
-                           sample.outflow,
-                           sample.contact_force,
-                           cost.fluid_cells,
+                           in_blood ? now.outflow : now.swept_flow,
+                           now.contact_force,
+                           in_blood ? cost.fluid_cells : cost.solid_tets,
                            cost.steps}));
-    warn(sample);
+    warn(now);
     if (fields_interval > 0 && t >= next_fields * (1 - 1e-9))
       {
         write_fields(t, y);
@@ -78,7 +82,99 @@ namespace coapt
 
 
   void
-  Recorder::write_fields(const double t, const double *y)
+  Recorder::write_leaflet(const double t,
+                          const std::vector<double> &X,
+                          const std::vector<double> &V)
+  {
+    LeafletFields leaflet;
+    leaflet.X = X;
+    leaflet.V = V;
+    std::vector<double> jacobian;
+    valve.solid->cell_results(X.data(),
+                              leaflet.von_mises,
+                              leaflet.max_log_strain,
+                              jacobian);
+    leaflet.contact_pressure    = monitor.contact_pressure();
+    leaflet.coaptation_pressure = monitor.total_traction();
+    fields.write_leaflet(t, valve.leaflet, leaflet);
+    fields.write_chordae(t, *valve.chordae, X, V);
+  }
+
+
+
+  void
+  Recorder::warn(const ValveSample &sample) const
+  {
+    if (sample.min_gap < -0.5 * valve.parameters.valve.thickness)
+      log.warn("penetration",
+               "the leaflet penetrates itself by " +
+                 text(-1e3 * sample.min_gap, "mm") +
+                 ", more than half its thickness");
+  }
+
+
+
+  Summary
+  Recorder::write_summary(const RunCost &cost) const
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(valve.communicator) != 0)
+      return Summary();
+    std::vector<std::string> warnings;
+    for (const Log::Warning &warning : log.warnings())
+      warnings.push_back(warning.text + " (" + std::to_string(warning.count) +
+                         " times)");
+    const Summary summary = report.summary(valve, monitor, cost, warnings);
+    summary.write(folder.file("summary.json"));
+    write_closure_maps(valve,
+                       monitor,
+                       report.mean_tractions(),
+                       [this](const std::string &name) {
+                         return folder.file(name);
+                       });
+    return summary;
+  }
+
+
+
+  ValveRecorder::ValveRecorder(const RunParameters &parameters,
+                               const OutputFolder &folder,
+                               const ValveModel &model,
+                               ValveMonitor &monitor,
+                               Log &log)
+    : Recorder(parameters,
+               folder,
+               model,
+               monitor,
+               {parameters.end_time,
+                0.5 * model.parameters.mesh.finest_cell(),
+                true},
+               log)
+    , model(model)
+    , monitor(monitor)
+  {
+    if (parameters.surface_load && is_first_rank(model.communicator))
+      surface_load =
+        std::make_unique<SurfaceLoadFile>(folder.file("surface_load.csv"),
+                                          model.mid_surface(
+                                            model.reference_positions()));
+  }
+
+
+
+  ValveSample
+  ValveRecorder::sample(const double t, const double *y)
+  {
+    const ValveSample result = monitor.sample(t, y);
+    if (surface_load && monitor.load_window() > 0)
+      surface_load->write(t - 0.5 * monitor.load_window(),
+                          monitor.surface_load());
+    return result;
+  }
+
+
+
+  void
+  ValveRecorder::write_fields(const double t, const double *y)
   {
     const auto &at              = model.system->layout();
     const std::vector<double> u = model.system->local_velocity(y);
@@ -88,31 +184,17 @@ namespace coapt
                        u.data(),
                        y + at.pressure(),
                        model.points->solid_volume(*model.fluid));
-
-    LeafletFields leaflet;
-    leaflet.X = model.system->solid_positions(y);
-    leaflet.V = model.system->solid_velocities(y);
-    std::vector<double> jacobian;
-    model.solid->cell_results(leaflet.X.data(),
-                              leaflet.von_mises,
-                              leaflet.max_log_strain,
-                              jacobian);
-    leaflet.contact_pressure    = monitor.contact_pressure();
-    leaflet.coaptation_pressure = monitor.total_traction();
-    fields.write_leaflet(t, model.leaflet, leaflet);
-    fields.write_chordae(t, *model.chordae, leaflet.X, leaflet.V);
+    write_leaflet(t,
+                  model.system->solid_positions(y),
+                  model.system->solid_velocities(y));
   }
 
 
 
   void
-  Recorder::warn(const ValveSample &sample) const
+  ValveRecorder::warn(const ValveSample &sample) const
   {
-    if (sample.min_gap < -0.5 * model.parameters.valve.thickness)
-      log.warn("penetration",
-               "the leaflet penetrates itself by " +
-                 text(-1e3 * sample.min_gap, "mm") +
-                 ", more than half its thickness");
+    Recorder::warn(sample);
     if (sample.point_spacing > 0.9)
       log.warn("stretched points",
                "coupling points are " + text(sample.point_spacing, "cells") +
@@ -130,7 +212,7 @@ namespace coapt
 
 
   void
-  Recorder::warn_of_unrest(const ValveSample &sample) const
+  ValveRecorder::warn_of_unrest(const ValveSample &sample) const
   {
     if (sample.checkerboard_rms > 10)
       log.warn("checkerboard",
@@ -149,23 +231,46 @@ namespace coapt
 
 
 
-  Summary
-  Recorder::write_summary(const RunCost &cost) const
+  StructureRecorder::StructureRecorder(const RunParameters &parameters,
+                                       const OutputFolder &folder,
+                                       const ValveStructure &valve,
+                                       StructureMonitor &monitor,
+                                       Log &log)
+    : Recorder(parameters,
+               folder,
+               valve,
+               monitor,
+               {parameters.end_time,
+                // The way is looked for on a lattice of 0.25 mm.
+                std::max(0.5 * valve.parameters.contact.clearance, 0.25e-3),
+                false},
+               log)
+    , n_entries(3 * valve.solid->n_nodes())
+    , monitor(monitor)
   {
-    if (dealii::Utilities::MPI::this_mpi_process(model.communicator) != 0)
-      return Summary();
-    std::vector<std::string> warnings;
-    for (const Log::Warning &warning : log.warnings())
-      warnings.push_back(warning.text + " (" + std::to_string(warning.count) +
-                         " times)");
-    const Summary summary = report.summary(model, monitor, cost, warnings);
-    summary.write(folder.file("summary.json"));
-    write_closure_maps(model,
-                       monitor,
-                       report.mean_tractions(),
-                       [this](const std::string &name) {
-                         return folder.file(name);
-                       });
-    return summary;
+  }
+
+
+
+  std::vector<double>
+  StructureRecorder::half(const double *y, const unsigned int i) const
+  {
+    return std::vector<double>(y + i * n_entries, y + (i + 1) * n_entries);
+  }
+
+
+
+  ValveSample
+  StructureRecorder::sample(const double t, const double *y)
+  {
+    return monitor.sample(t, std::vector<double>(y, y + 2 * n_entries));
+  }
+
+
+
+  void
+  StructureRecorder::write_fields(const double t, const double *y)
+  {
+    write_leaflet(t, half(y, 0), half(y, 1));
   }
 } // namespace coapt

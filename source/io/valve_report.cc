@@ -11,48 +11,63 @@ namespace coapt
   using namespace units;
 
   std::vector<Statistics::Entry>
-  statistics_row(const ValveSample &s, const RunCost &cost)
+  statistics_row(const ValveSample &s, const RunCost &cost, const bool in_blood)
   {
-    std::vector<Statistics::Entry> row = {
-      {"time_s", s.time},
-      {"step_s", cost.step_length},
-      {"ventricular_pressure_Pa", s.pressure},
-      {"inflow_mL_per_s", s.inflow / millilitre},
-      {"outflow_mL_per_s", s.outflow / millilitre},
-      {"swept_flow_mL_per_s", s.swept_flow / millilitre},
-      {"outflow_volume_mL", s.outflow_volume / millilitre},
-      {"swept_volume_mL", s.swept_volume / millilitre},
-      {"drained_volume_mL", s.drained_volume / millilitre},
-      {"coaptation_force_N", s.coaptation_force},
-      {"contact_force_N", s.contact_force},
-      {"coaptation_area_mm2", s.coaptation_area / square_millimetre},
-      {"coaptation_pressure_max_kPa", s.coaptation_pressure / kilopascal},
-      {"gap_min_mm", s.min_gap / millimetre},
-      {"widest_path_mm", s.path_width / millimetre},
-      {"widest_path_gap_mm", s.path_gap / millimetre},
-      {"bulging_volume_mL", s.bulging_volume / millilitre},
-      {"tissue_flow_mL_per_s", s.tissue_flow / millilitre},
-      {"orifice_area_mm2", s.orifice.area / square_millimetre},
-      {"orifice_disc_mm", s.orifice.disc / millimetre},
-      {"reynolds", s.reynolds},
-      {"annulus_force_N", s.annulus_force}};
+    std::vector<Statistics::Entry> row = {{"time_s", s.time},
+                                          {"step_s", cost.step_length},
+                                          {"ventricular_pressure_Pa",
+                                           s.pressure}};
+    const auto add = [&row](const std::vector<Statistics::Entry> &entries) {
+      row.insert(row.end(), entries.begin(), entries.end());
+    };
+    if (in_blood)
+      add({{"inflow_mL_per_s", s.inflow / millilitre},
+           {"outflow_mL_per_s", s.outflow / millilitre}});
+    add({{"swept_flow_mL_per_s", s.swept_flow / millilitre}});
+    if (in_blood)
+      add({{"outflow_volume_mL", s.outflow_volume / millilitre},
+           {"drained_volume_mL", s.drained_volume / millilitre}});
+    add({{"swept_volume_mL", s.swept_volume / millilitre},
+         {"coaptation_force_N", s.coaptation_force},
+         {"contact_force_N", s.contact_force},
+         {"coaptation_area_mm2", s.coaptation_area / square_millimetre},
+         {"coaptation_pressure_max_kPa", s.coaptation_pressure / kilopascal},
+         {"gap_min_mm", s.min_gap / millimetre},
+         {"widest_path_mm", s.path_width / millimetre},
+         {"widest_path_gap_mm", s.path_gap / millimetre},
+         {"bulging_volume_mL", s.bulging_volume / millilitre},
+         {"orifice_area_mm2", s.orifice.area / square_millimetre},
+         {"orifice_disc_mm", s.orifice.disc / millimetre},
+         {"annulus_force_N", s.annulus_force},
+         {"largest_displacement_mm", s.displacement / millimetre}});
+    if (in_blood)
+      add({{"tissue_flow_mL_per_s", s.tissue_flow / millilitre},
+           {"reynolds", s.reynolds}});
     for (unsigned int c = 0; c < s.chordae_tension.size(); ++c)
       row.emplace_back("chordae_" + name_of(static_cast<ChordaClass>(c)) + "_N",
                        s.chordae_tension[c]);
-    row.insert(row.end(),
-               {{"stress_mean_kPa", s.mean_stress / kilopascal},
-                {"strain_mean", s.mean_strain},
-                {"velocity_max_m_per_s", s.largest_velocity},
-                {"slip_rms_m_per_s", s.slip_rms},
-                {"hourglass_rms_m_per_s", s.hourglass_rms},
-                {"checkerboard_rms_Pa", s.checkerboard_rms},
-                {"point_spacing_cells", s.point_spacing}});
-    const auto energies = EnergyAudit<3>::entries(s.works, s.energies);
-    row.insert(row.end(), energies.begin(), energies.end());
-    row.insert(row.end(),
-               {{"energy_error_relative", s.energy_error},
-                {"fluid_cells", double(cost.fluid_cells)},
-                {"steps", double(cost.steps)}});
+    add({{"stress_mean_kPa", s.mean_stress / kilopascal},
+         {"strain_mean", s.mean_strain},
+         {"velocity_max_m_per_s", s.largest_velocity}});
+    if (in_blood)
+      add({{"slip_rms_m_per_s", s.slip_rms},
+           {"hourglass_rms_m_per_s", s.hourglass_rms},
+           {"checkerboard_rms_Pa", s.checkerboard_rms},
+           {"point_spacing_cells", s.point_spacing}});
+    if (in_blood)
+      add(EnergyAudit<3>::entries(s.works, s.energies));
+    else
+      add({{"work_of_load_J", s.works.ends},
+           {"work_of_chordae_J", s.works.loads},
+           {"work_of_contact_J", s.works.contact},
+           {"work_of_motion_J", s.works.motion},
+           {"losses_J", s.works.solid_losses},
+           {"energy_kinetic_J", s.energies.solid_kinetic},
+           {"energy_elastic_J", s.energies.elastic}});
+    add({{"energy_error_relative", s.energy_error}});
+    if (in_blood)
+      add({{"fluid_cells", double(cost.fluid_cells)}});
+    add({{"steps", double(cost.steps)}});
     return row;
   }
 
@@ -83,22 +98,21 @@ namespace coapt
 
 
 
-  ValveReport::ValveReport(const double end_time, const double cell)
-    : end_time(end_time), cell(cell)
+  ValveReport::ValveReport(const ReportSettings &settings) : settings(settings)
   {
   }
 
 
 
   void
-  ValveReport::add(const ValveSample &sample, const ValveMonitor &monitor)
+  ValveReport::add(const ValveSample &sample, const LeafletMonitor &monitor)
   {
     samples.push_back(sample);
     const std::vector<double> &contact = monitor.contact_pressure();
     const std::vector<double> &total   = monitor.total_traction();
     contact_pressure.resize(contact.size(), 0.);
     total_traction.resize(total.size(), 0.);
-    if (sample.time < end_time - window)
+    if (sample.time < settings.end_time - window)
       return;
     for (unsigned int c = 0; c < contact.size(); ++c)
       {
@@ -115,7 +129,7 @@ namespace coapt
   {
     Closing result;
     for (const ValveSample &sample : samples)
-      if (sample.path_width >= 0.5 * cell)
+      if (sample.path_width >= settings.shut_width)
         result.closed = false;
       else if (!result.closed)
         {
@@ -185,6 +199,19 @@ namespace coapt
 
 
 
+  double
+  ValveReport::peak_reynolds() const
+  {
+    return std::max_element(samples.begin(),
+                            samples.end(),
+                            [](const auto &a, const auto &b) {
+                              return a.reynolds < b.reynolds;
+                            })
+      ->reynolds;
+  }
+
+
+
   MeanTractions
   ValveReport::mean_tractions() const
   {
@@ -208,19 +235,20 @@ namespace coapt
     result.set("largest_disc_mm", last.orifice.disc / millimetre);
     result.set("x_mm", last.orifice.center[0] / millimetre);
     result.set("y_mm", last.orifice.center[1] / millimetre);
-    result.set("effective_area_mm2",
-               effective_orifice_area(leak() - tissue_flow(),
-                                      last.pressure,
-                                      density) /
-                 square_millimetre);
+    if (settings.in_blood)
+      result.set("effective_area_mm2",
+                 effective_orifice_area(leak() - tissue_flow(),
+                                        last.pressure,
+                                        density) /
+                   square_millimetre);
     return result;
   }
 
 
 
   Summary
-  ValveReport::summary(const ValveModel &model,
-                       const ValveMonitor &monitor,
+  ValveReport::summary(const ValveStructure &valve,
+                       const LeafletMonitor &monitor,
                        const RunCost &cost,
                        const std::vector<std::string> &warnings) const
   {
@@ -233,16 +261,20 @@ namespace coapt
       monitor.coaptation(tractions.contact, tractions.total);
 
     Summary result;
-    result.set("sealed", shut.closed && leak() <= largest_leak);
+    result.set("sealed",
+               shut.closed && (!settings.in_blood || leak() <= largest_leak));
     result.set("closing_time_s", shut.closed ? shut.time : none);
-    result.set("leak_mL_per_s", leak() / millilitre);
-    result.set("leak_through_tissue_mL_per_s", tissue_flow() / millilitre);
-    result.set("leak_through_gaps_mL_per_s",
-               (leak() - tissue_flow()) / millilitre);
-    result.set("regurgitant_volume_mL", regurgitant_volume() / millilitre);
-    result.set("flow_peak_mL_per_s", monitor.peak_outflow() / millilitre);
-    result.set("closing_volume_mL",
-               shut.closed ? shut.volume / millilitre : none);
+    if (settings.in_blood)
+      {
+        result.set("leak_mL_per_s", leak() / millilitre);
+        result.set("leak_through_tissue_mL_per_s", tissue_flow() / millilitre);
+        result.set("leak_through_gaps_mL_per_s",
+                   (leak() - tissue_flow()) / millilitre);
+        result.set("regurgitant_volume_mL", regurgitant_volume() / millilitre);
+        result.set("flow_peak_mL_per_s", last.peak_outflow / millilitre);
+        result.set("closing_volume_mL",
+                   shut.closed ? shut.volume / millilitre : none);
+      }
     result.set("bulging_volume_mL", last.bulging_volume / millilitre);
     result.set("coaptation_area_mm2", belt.area / square_millimetre);
     result.set("coaptation_force_N", belt.force);
@@ -264,10 +296,10 @@ namespace coapt
     path.set("y_mm", last.path.position[1] / millimetre);
     path.set("z_mm", last.path.position[2] / millimetre);
     result.set("widest_path", path);
-    result.set("orifice", orifice_figures(model.parameters.fluid.density));
-    result.set("segments", segment_figures(model, monitor, tractions));
-    result.set("gaps", gap_figures(model, monitor, tractions));
-    result.set("regions", region_figures(model, monitor));
+    result.set("orifice", orifice_figures(valve.parameters.fluid.density));
+    result.set("segments", segment_figures(valve, monitor, tractions));
+    result.set("gaps", gap_figures(valve, monitor, tractions));
+    result.set("regions", region_figures(valve, monitor));
 
     Summary chordae;
     for (unsigned int c = 0; c < ChordaePeaks::n_classes; ++c)
@@ -277,19 +309,21 @@ namespace coapt
     result.set("chordae_peak_N", chordae);
 
     result.set("annulus_force_N", last.annulus_force);
-    result.set("reynolds_peak",
-               std::max_element(samples.begin(),
-                                samples.end(),
-                                [](const auto &a, const auto &b) {
-                                  return a.reynolds < b.reynolds;
-                                })
-                 ->reynolds);
+    result.set("largest_displacement_mm", last.displacement / millimetre);
+    Summary held;
+    for (const auto &[name, displacement] : last.held_displacement)
+      held.set(name, displacement / millimetre);
+    result.set("held_displacement_mm", held);
+    if (settings.in_blood)
+      result.set("reynolds_peak", peak_reynolds());
     result.set("stress_mean_kPa", last.mean_stress / kilopascal);
     result.set("strain_mean", last.mean_strain);
     result.set("end_time_s", last.time);
-    result.set("fluid_cells", cost.fluid_cells);
+    if (settings.in_blood)
+      result.set("fluid_cells", cost.fluid_cells);
     result.set("solid_tets", cost.solid_tets);
-    result.set("coupling_points", cost.coupling_points);
+    if (settings.in_blood)
+      result.set("coupling_points", cost.coupling_points);
     result.set("steps", cost.steps);
     result.set("rhs_evaluations", cost.evaluations);
     result.set("wall_s", cost.wall_seconds);

@@ -95,8 +95,10 @@ namespace coapt
         works.relaxation += 0.5 *
           (last.multiplier * (last.stiffness / now.stiffness - 1) +
            now.multiplier * (1 - now.stiffness / last.stiffness));
+        works.motion = system.work_of_motion();
         largest_input =
-          std::max(largest_input, std::abs(works.ends + works.driven_sides));
+          std::max(largest_input,
+                   std::abs(works.ends + works.driven_sides + works.motion));
       }
     else
       initial = energies(y).total();
@@ -127,6 +129,7 @@ namespace coapt
             {"work_of_driven_sides_J", works.driven_sides},
             {"work_of_loads_J", works.loads},
             {"work_of_contact_J", works.contact},
+            {"work_of_motion_J", works.motion},
             {"work_of_adaptation_J", works.adaptation},
             {"work_of_relaxation_J", works.relaxation},
             {"losses_viscous_J", works.fluid.viscous},

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace coapt
 {
@@ -198,26 +197,5 @@ namespace coapt
   {
     return leak > 0 && pressure > 0 ? leak / std::sqrt(2 * pressure / density)
                                     : 0.;
-  }
-
-
-
-  std::vector<std::array<unsigned int, 3>>
-  boundary_faces(const std::vector<std::array<unsigned int, 4>> &cells)
-  {
-    std::map<std::array<unsigned int, 3>, unsigned int> count;
-    for (const auto &cell : cells)
-      for (unsigned int i = 0; i < 4; ++i)
-        {
-          std::array<unsigned int, 3> face = {
-            {cell[(i + 1) % 4], cell[(i + 2) % 4], cell[(i + 3) % 4]}};
-          std::sort(face.begin(), face.end());
-          ++count[face];
-        }
-    std::vector<std::array<unsigned int, 3>> result;
-    for (const auto &[face, n] : count)
-      if (n == 1)
-        result.push_back(face);
-    return result;
   }
 } // namespace coapt

@@ -26,6 +26,36 @@ namespace coapt
       return determinant(edges(mesh, cell)) / (dim == 2 ? 2. : 6.);
     }
 
+    /** Sets the directions of the entry @p lane. */
+    template <int dim>
+    void
+    fill_directions(CellBatch<dim> &batch,
+                    const unsigned int lane,
+                    const dealii::Tensor<1, dim> &fibre,
+                    const dealii::Tensor<1, dim> &normal)
+    {
+      for (Batch &component : batch.fibre)
+        component[lane] = 0;
+      if (!(fibre.norm() > 0))
+        return;
+      const auto along = fibre / fibre.norm();
+      for (int d = 0; d < dim; ++d)
+        batch.fibre[d][lane] = along[d];
+      if constexpr (dim == 3)
+        {
+          auto up = normal - (normal * along) * along;
+          if (!(up.norm() > 1e-6 * normal.norm()))
+            return;
+          up /= up.norm();
+          const auto across = cross_product_3d(up, along);
+          for (int d = 0; d < 3; ++d)
+            {
+              batch.fibre[3 + d][lane] = across[d];
+              batch.fibre[6 + d][lane] = up[d];
+            }
+        }
+    }
+
     /** Sets the entry @p lane of the @p batch to a @p cell. */
     template <int dim>
     void
@@ -34,19 +64,17 @@ namespace coapt
          const SimplexMesh<dim> &mesh,
          const unsigned int cell,
          const dealii::Tensor<1, dim> &fibre,
-         const dealii::Tensor<2, dim> &prestretch)
+         const dealii::Tensor<2, dim> &prestretch,
+         const dealii::Tensor<1, dim> &normal)
     {
       // Row a of E^-1 is the gradient of node a + 1 relative to the mesh.
       const auto gradients = invert(edges(mesh, cell)) * prestretch;
       batch.cell[lane]     = cell;
       batch.volume[lane]   = signed_volume(mesh, cell);
-      const double length  = fibre.norm();
+      fill_directions(batch, lane, fibre, normal);
       for (int d = 0; d < dim; ++d)
-        {
-          batch.fibre[d][lane] = length > 0 ? fibre[d] / length : 0.;
-          for (int a = 0; a < dim; ++a)
-            batch.gradient[a][d][lane] = gradients[a][d];
-        }
+        for (int a = 0; a < dim; ++a)
+          batch.gradient[a][d][lane] = gradients[a][d];
       for (int a = 0; a <= dim; ++a)
         batch.entry[a][lane] = dim * mesh.cells[cell][a];
     }
@@ -57,7 +85,8 @@ namespace coapt
   build_batches(const SimplexMesh<dim> &mesh,
                 const std::vector<unsigned int> &cells,
                 const std::vector<dealii::Tensor<1, dim>> &fibre,
-                const std::vector<dealii::Tensor<2, dim>> &prestretch)
+                const std::vector<dealii::Tensor<2, dim>> &prestretch,
+                const std::vector<dealii::Tensor<1, dim>> &normal)
   {
     dealii::Tensor<2, dim> identity;
     for (int d = 0; d < dim; ++d)
@@ -74,7 +103,8 @@ namespace coapt
              mesh,
              cell,
              fibre.empty() ? dealii::Tensor<1, dim>() : fibre[cell],
-             prestretch.empty() ? identity : prestretch[cell]);
+             prestretch.empty() ? identity : prestretch[cell],
+             normal.empty() ? dealii::Tensor<1, dim>() : normal[cell]);
         if (used)
           batch.n_filled = i % batch_size + 1;
         else
@@ -97,12 +127,14 @@ namespace coapt
   build_batches(const SimplexMesh<2> &,
                 const std::vector<unsigned int> &,
                 const std::vector<dealii::Tensor<1, 2>> &,
-                const std::vector<dealii::Tensor<2, 2>> &);
+                const std::vector<dealii::Tensor<2, 2>> &,
+                const std::vector<dealii::Tensor<1, 2>> &);
   template std::vector<CellBatch<3>>
   build_batches(const SimplexMesh<3> &,
                 const std::vector<unsigned int> &,
                 const std::vector<dealii::Tensor<1, 3>> &,
-                const std::vector<dealii::Tensor<2, 3>> &);
+                const std::vector<dealii::Tensor<2, 3>> &,
+                const std::vector<dealii::Tensor<1, 3>> &);
   template std::vector<double>
   signed_volumes(const SimplexMesh<2> &);
   template std::vector<double>

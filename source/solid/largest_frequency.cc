@@ -40,8 +40,8 @@ namespace coapt
 
     if (is_new)
       for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
-        disturb(cell);
-    disturb(result.cell);
+        disturb(cell, 1.);
+    disturb(result.cell, is_new ? 1. : largest_component());
     normalize();
 
     compute_forces({X, X + shape.size()}, forces);
@@ -63,17 +63,25 @@ namespace coapt
 
   template <int dim>
   void
-  LargestFrequency<dim>::disturb(const unsigned int cell)
+  LargestFrequency<dim>::disturb(const unsigned int cell, const double largest)
   {
-    double largest = 0;
-    for (const double component : shape)
-      largest = std::max(largest, std::abs(component));
     std::uniform_real_distribution<double> random(-1, 1);
     for (const unsigned int node : mesh.cells[cell])
       if (!pinned[node])
         for (unsigned int d = 0; d < dim; ++d)
-          shape[dim * node + d] +=
-            0.3 * (is_new ? 1. : largest) * random(noise);
+          shape[dim * node + d] += 0.3 * largest * random(noise);
+  }
+
+
+
+  template <int dim>
+  double
+  LargestFrequency<dim>::largest_component() const
+  {
+    double largest = 0;
+    for (const double component : shape)
+      largest = std::max(largest, std::abs(component));
+    return largest;
   }
 
 
@@ -82,9 +90,7 @@ namespace coapt
   double
   LargestFrequency<dim>::iterate(const double *X)
   {
-    double largest = 0;
-    for (const double component : shape)
-      largest = std::max(largest, std::abs(component));
+    const double largest = largest_component();
     if (largest == 0)
       return 0;
     const double scale = displacement / largest;

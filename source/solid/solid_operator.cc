@@ -11,21 +11,6 @@ namespace coapt
 {
   namespace
   {
-    Material
-    selected_material(const SolidParameters &parameters)
-    {
-      parameters.check();
-      if (parameters.material == "HGO")
-        return parameters.holzapfel_gasser_ogden;
-      if (parameters.material == "Ogden")
-        return parameters.ogden;
-      if (parameters.material == "St Venant-Kirchhoff")
-        return parameters.saint_venant_kirchhoff;
-      if (parameters.material == "tense fibres")
-        return parameters.tense_fibres;
-      return parameters.neo_hookean;
-    }
-
     template <int dim>
     void
     check_volumes(const SimplexMesh<dim> &mesh,
@@ -88,16 +73,25 @@ namespace coapt
     std::vector<double>
     lumped_mass(const SimplexMesh<dim> &mesh,
                 const std::vector<double> &volumes,
-                const double density)
+                const double density,
+                const std::vector<double> &added)
     {
       std::vector<double> mass(mesh.points.size(), 0.);
+      const unsigned int n_own = mass.size() - added.size();
+      std::copy(added.begin(), added.end(), mass.begin() + n_own);
       for (unsigned int i = 0; i < volumes.size(); ++i)
         for (const unsigned int node : mesh.cells[i])
           mass[node] += density * volumes[i] / (dim + 1);
-      for (unsigned int node = 0; node < mass.size(); ++node)
-        if (!(mass[node] > 0))
-          throw InputError("Solid mesh: node " + std::to_string(node) +
-                           " belongs to no cell.");
+      std::ostringstream list;
+      unsigned int n_bad = 0;
+      for (unsigned int node = 0; node < n_own; ++node)
+        if (!(mass[node] > 0) && ++n_bad <= 10)
+          list << (n_bad > 1 ? "; " : "") << node << " at ("
+               << mesh.points[node] * 1e3 << ") mm";
+      if (n_bad > 0)
+        throw InputError("Solid mesh: " + std::to_string(n_bad) +
+                         " nodes belong to no cell: " + list.str() +
+                         (n_bad > 10 ? "; ..." : "") + ".");
       return mass;
     }
 
@@ -158,12 +152,14 @@ namespace coapt
     const SolidParameters &parameters,
     const std::vector<dealii::Tensor<1, dim>> &fibre,
     const std::vector<dealii::Tensor<2, dim>> &prestretch,
-    const MPI_Comm communicator)
+    const MPI_Comm communicator,
+    const std::vector<dealii::Tensor<1, dim>> &normal,
+    const std::vector<double> &added_mass)
     : communicator(communicator)
     , density(parameters.density)
     , viscosity(parameters.viscosity)
     , viscous_rate(0)
-    , material(selected_material(parameters))
+    , material(parameters.selected_material())
     , volumes(signed_volumes(mesh))
     , prestretch(prestretch)
   {
@@ -171,15 +167,17 @@ namespace coapt
     std::visit(
       [&](const auto &law) {
         using Law = std::decay_t<decltype(law)>;
-        if (dim == 2 && is_spatial<Law>)
+        if (dim == 2 && Law::is_spatial)
           throw InputError("Solid/Material is " + parameters.material +
                            ", which is available in 3D only.");
-        check_fields(fibre, prestretch, has_fibres<Law>, volumes.size());
+        check_fields(fibre, prestretch, Law::has_fibres, volumes.size());
+        if (law.needs_normal())
+          check_size("normals", normal.size(), volumes.size());
       },
       material);
-    nodal_mass = lumped_mass(mesh, volumes, density);
+    nodal_mass = lumped_mass(mesh, volumes, density, added_mass);
     cells      = partition_cells(mesh, communicator);
-    batches    = build_batches(mesh, cells, fibre, prestretch);
+    batches    = build_batches(mesh, cells, fibre, prestretch, normal);
 
     for (const CellBatch<dim> &batch : batches)
       {
@@ -203,7 +201,7 @@ namespace coapt
     std::visit(
       [&f](const auto &law) {
         using Law = std::decay_t<decltype(law)>;
-        if constexpr (dim == 3 || !is_spatial<Law>)
+        if constexpr (dim == 3 || !Law::is_spatial)
           f(law);
       },
       material);
@@ -364,8 +362,8 @@ namespace coapt
               const auto total        = prestretch.empty()
                        ? elastic
                        : elastic * invert(prestretch[cell]);
-              double fibre[3]         = {0, 0, 0};
-              for (int d = 0; d < dim; ++d)
+              double fibre[9]         = {};
+              for (int d = 0; d < dim * dim; ++d)
                 fibre[d] = batch.fibre[d][lane];
               const auto F          = embed(elastic);
               local[cell]           = von_mises(law.first_piola(F, fibre), F);

@@ -2,11 +2,58 @@
 #include <coapt/solid/solid_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
 
 #include <sstream>
+#include <type_traits>
 
 namespace coapt
 {
+  namespace
+  {
+    /** Names of all materials, with @p separator in between. */
+    std::string
+    material_names(const std::string &separator)
+    {
+      std::string names;
+      const Materials all;
+      Materials::for_each(all, [&](const auto &law) {
+        names += (names.empty() ? "" : separator) + law.name;
+      });
+      return names;
+    }
+
+    /** Names of the materials that exist in 3D only. */
+    std::string
+    spatial_names()
+    {
+      std::string names;
+      const Materials all;
+      Materials::for_each(all, [&](const auto &law) {
+        if (law.is_spatial)
+          names += (names.empty() ? "" : ", ") + std::string(law.name);
+      });
+      return names;
+    }
+
+    /** Two stretches from a list; equal ones if it is empty. */
+    void
+    read_range(const std::string &list, double &lowest, double &highest)
+    {
+      using namespace dealii::Utilities;
+      const auto numbers = string_to_double(split_string_list(list));
+      lowest = highest = 1;
+      if (numbers.empty())
+        return;
+      if (numbers.size() != 2 || !(numbers[0] > 0 && numbers[0] < numbers[1]))
+        throw InputError("Solid/Examined stretches is \"" + list +
+                         "\", expected are two positive stretches, the "
+                         "smaller one first.");
+      lowest  = numbers[0];
+      highest = numbers[1];
+    }
+  } // namespace
+
   void
   SolidParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
@@ -15,13 +62,9 @@ namespace coapt
     prm.enter_subsection("Solid");
     prm.declare_entry("Material",
                       defaults.material,
-                      Selection("HGO|Ogden|neo-Hookean|"
-                                "St Venant-Kirchhoff|tense fibres"),
-                      "Law of the solid: HGO (Holzapfel-Gasser-Ogden, with "
-                      "fibres), Ogden (isotropic), neo-Hookean, St "
-                      "Venant-Kirchhoff, or tense fibres without matrix; each "
-                      "has a subsection. In 2D, HGO and Ogden are not "
-                      "available.");
+                      Selection(material_names("|")),
+                      "Law of the solid; each has a subsection. In 3D only: " +
+                        spatial_names() + ".");
     prm.declare_entry("Density",
                       std::to_string(defaults.density),
                       Double(1, 1e5),
@@ -30,11 +73,15 @@ namespace coapt
                       std::to_string(defaults.viscosity),
                       Double(0, 1e6),
                       "Kelvin-Voigt viscosity (Pa s).");
-    HolzapfelGasserOgden::declare_parameters(prm);
-    Ogden::declare_parameters(prm);
-    NeoHookean::declare_parameters(prm);
-    SaintVenantKirchhoff::declare_parameters(prm);
-    TenseFibres::declare_parameters(prm);
+    prm.declare_entry("Examined stretches",
+                      "",
+                      List(Double(0.01, 100), 0, 2),
+                      "Smallest and largest stretch (no unit) in the tangent "
+                      "plane between which the material is examined: a "
+                      "warning names the state where its tangent loses "
+                      "positivity. Empty: none.");
+    Materials all;
+    Materials::for_each(all, [&](auto &law) { law.declare_parameters(prm); });
     prm.leave_subsection();
   }
 
@@ -45,33 +92,35 @@ namespace coapt
     material  = prm.get("Material");
     density   = prm.get_double("Density");
     viscosity = prm.get_double("Viscosity");
-    holzapfel_gasser_ogden.parse_parameters(prm);
-    ogden.parse_parameters(prm);
-    neo_hookean.parse_parameters(prm);
-    saint_venant_kirchhoff.parse_parameters(prm);
-    tense_fibres.parse_parameters(prm);
+    read_range(prm.get("Examined stretches"), lowest_stretch, highest_stretch);
+    Materials::for_each(*this, [&](auto &law) { law.parse_parameters(prm); });
     prm.leave_subsection();
     check();
+  }
+
+  Material
+  SolidParameters::selected_material() const
+  {
+    Material result;
+    bool found = false;
+    Materials::for_each(*this, [&](const auto &law) {
+      if (material == law.name)
+        {
+          found  = true;
+          result = law;
+        }
+    });
+    if (!found)
+      throw InputError("Solid/Material is \"" + material + "\", allowed are " +
+                       material_names(", ") + ".");
+    std::visit([](const auto &law) { law.check(); }, result);
+    return result;
   }
 
   void
   SolidParameters::check() const
   {
-    if (material == "HGO")
-      holzapfel_gasser_ogden.check();
-    else if (material == "Ogden")
-      ogden.check();
-    else if (material == "neo-Hookean")
-      neo_hookean.check();
-    else if (material == "St Venant-Kirchhoff")
-      saint_venant_kirchhoff.check();
-    else if (material == "tense fibres")
-      tense_fibres.check();
-    else
-      throw InputError("Solid/Material is \"" + material +
-                       "\", allowed are HGO, Ogden, neo-Hookean, St "
-                       "Venant-Kirchhoff and tense fibres.");
-
+    selected_material();
     std::ostringstream message;
     if (!(density > 0))
       message << "Solid/Density is " << density

@@ -39,10 +39,10 @@ namespace coapt
   StepParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Time");
-    safety       = prm.get_double("Step safety");
-    max_step     = prm.get_double("Largest step");
-    interval     = prm.get_integer("Steps between limits");
-    sampling     = prm.get_integer("Steps between samples");
+    safety   = prm.get_double("Step safety");
+    max_step = prm.get_double("Largest step");
+    interval = prm.get_integer("Steps between limits");
+    sampling = prm.get_integer("Steps between samples");
     prm.leave_subsection();
   }
 

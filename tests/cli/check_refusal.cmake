@@ -14,10 +14,10 @@ endif()
 # the case, its tables, and a run that ends at once should it be accepted
 file(REMOVE_RECURSE ${FOLDER})
 get_filename_component(source ${PARAMETERS} DIRECTORY)
-file(GLOB tables ${source}/*.csv)
+file(GLOB tables ${source}/*.csv ${source}/*.msh)
 file(COPY ${tables} DESTINATION ${FOLDER})
 file(READ ${PARAMETERS} parameters)
-if(NOT parameters MATCHES "End ti")
+if(NOT parameters MATCHES "End ti|Task = (fit|biaxial)")
   string(APPEND parameters "subsection Time\n  set End time = 1e-6\nend\n")
 endif()
 file(WRITE ${FOLDER}/case.prm "${parameters}subsection Output\n"

@@ -1,7 +1,10 @@
 // Plates in a channel in 3D whose side edges slide along walls on which the
 // fluid rests: they are not held by them. A loose one moves as a piston, a
 // clamped one bends as it does in vacuum, at its sides as in its middle. A
-// rigid one that shuts the channel is tight, and leaks without the multiplier.
+// rigid one that shuts the channel is tight, and leaks without the multiplier;
+// moved along, it takes the fluid with it.
+
+#include <coapt/base/first_rank.h>
 
 #include "coupled_case.h"
 
@@ -104,14 +107,18 @@ namespace
     const FollowerPressure<3> pressure(s.block);
     c.system.add_load(
       [&](const double t, const double *X, const double *, double *F) {
-        pressure.add(p * smooth_ramp(t, 10e-3), X, F);
+        // the loads of all ranks are summed up
+        if (is_first_rank(MPI_COMM_WORLD))
+          pressure.add(p * smooth_ramp(t, 10e-3), X, F);
       });
     const double dt = 0.6 * c.smaller_limit();
     while (c.integrator.time() < 40e-3)
       c.step(dt);
     const Edge wet = upper_edge(c.block, c.system.solid_positions(c.y.data()));
-    const Edge dry = upper_edge(
-      c.block, dry_equilibrium(c.block, c.solid, s.pinned, p, 600, dt, 40e-3));
+    const SolidOperator<3> whole(c.block.mesh, s.solid, {}, {}, MPI_COMM_SELF);
+    const Edge dry =
+      upper_edge(c.block,
+                 dry_equilibrium(c.block, whole, s.pinned, p, 600, dt, 40e-3));
     check("flap, bends", dry.middle > 0.2e-3, dry.middle);
     // Linear interpolation in the four cells along its height stiffens it.
     check_relative("flap, middle as in vacuum", wet.middle, dry.middle, 0.1);
@@ -155,6 +162,52 @@ namespace
           std::abs(tight) < 1e-4 * expected,
           tight);
   }
+
+  /** A rigid plate that shuts the channel is moved along it: the fluid goes
+   * with it, and the work is what the fluid gains and the ends take. */
+  void
+  moved()
+  {
+    const double Z = 5300, speed = 0.2, end = 4e-3, dt = 10e-6;
+    CoupledSetup<3> s    = plate(height, 0, Z);
+    s.boundaries.type[2] = s.boundaries.type[3] = FluidBoundary::slip;
+    s.fluid.viscosity = s.fluid.artificial_viscosity = 0;
+    s.pinned.assign(s.pinned.size(), true);
+    CoupledCase<3> c(s);
+    const auto velocity = [=](const double t) {
+      return speed * smooth_ramp(t, end);
+    };
+    // smooth_ramp() integrated
+    const auto way = [=](const double t) {
+      const double x = t / end;
+      return speed * end * x * x * x * x * (2.5 + x * (x - 3));
+    };
+    const auto &points = c.block.mesh.points;
+    c.system.set_motion([&](const double t, double *X, double *V) {
+      for (unsigned int n = 0; n < points.size(); ++n)
+        {
+          X[3 * n] = points[n][0] + way(t);
+          V[3 * n] = velocity(t);
+        }
+    });
+    double lost = 0; // at both ends
+    while (c.integrator.time() < end - 0.5 * dt)
+      {
+        lost += 2 * Z * width * height * dt *
+          std::pow(velocity(c.integrator.time()), 2);
+        c.step(dt);
+      }
+    const std::vector<double> X = c.system.solid_positions(c.y.data());
+    check_relative("moved, plate arrives", X[0] - points[0][0], way(end), 1e-9);
+    check_relative("moved, fluid goes with it",
+                   c.flow(1),
+                   speed * width * height,
+                   0.01);
+    check_relative("moved, work",
+                   c.system.work_of_motion(),
+                   c.energy() + lost,
+                   0.02);
+  }
 } // namespace
 
 int
@@ -164,4 +217,5 @@ main(int argc, char *argv[])
   piston();
   flap();
   rigid();
+  moved();
 }

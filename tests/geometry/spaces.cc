@@ -3,6 +3,7 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/geometry/coupling_lattice.h>
 #include <coapt/geometry/lumen.h>
+#include <coapt/geometry/quad_strips.h>
 #include <coapt/geometry/triangle.h>
 #include <coapt/geometry/valve_generator.h>
 #include <coapt/geometry/widest_path.h>
@@ -179,6 +180,33 @@ test_barycentrics(const std::string &name,
   check(name + " volumes positive", smallest > 0, smallest);
 }
 
+/** The faces of a cube, and the same without one. */
+void
+test_quad_strips()
+{
+  std::vector<std::array<unsigned int, 4>> cube = {{{0, 1, 3, 2}},
+                                                   {{4, 6, 7, 5}},
+                                                   {{0, 4, 5, 1}},
+                                                   {{2, 3, 7, 6}},
+                                                   {{0, 2, 6, 4}},
+                                                   {{1, 5, 7, 3}}};
+  const auto is_whole                           = [](const QuadStrip &strip) {
+    return strip.is_closed && strip.crossings.size() == 4;
+  };
+  const auto closed = quad_strips(cube);
+  check("strips of a cube",
+        closed.size() == 3 &&
+          std::all_of(closed.begin(), closed.end(), is_whole));
+  cube.pop_back();
+  const auto open          = quad_strips(cube);
+  unsigned int n_crossings = 0;
+  for (const QuadStrip &strip : open)
+    n_crossings += strip.crossings.size();
+  check("strips of an open cube",
+        open.size() == 3 && n_crossings == 10 &&
+          std::count_if(open.begin(), open.end(), is_whole) == 1);
+}
+
 void
 test_leaflet_lattice()
 {
@@ -222,32 +250,36 @@ test_leaflet_lattice()
         moment.distance(exact) / volume);
 
   std::vector<double> depths;
-  std::vector<std::vector<Point<3>>> of_quad(leaflet.quads.size());
+  std::vector<Point<3>> positions;
   for (const auto &sample : samples)
     {
-      of_quad[sample.quad].push_back(position(leaflet.mesh, sample));
+      positions.push_back(position(leaflet.mesh, sample));
       if (std::find(depths.begin(), depths.end(), sample.depth) == depths.end())
         depths.push_back(sample.depth);
     }
   check("leaflet: three layers", depths.size() == 3, depths.size());
 
-  // no node, so none at the rim either, is farther from a point of its own
-  // quadrilateral than half the diagonal of a lattice cell (longer by the
-  // shear that the profile of the heights brings)
+  // no node, so none at the rim either, is farther from a point than half the
+  // diagonal of a lattice cell (longer where strips of other numbers of lines
+  // meet, and by the shear that the profile of the heights brings)
   double farthest = 0;
-  for (unsigned int cell = 0; cell < leaflet.mesh.cells.size(); ++cell)
-    for (const unsigned int node : leaflet.mesh.cells[cell])
-      {
-        double least = 1;
-        for (const Point<3> &x : of_quad[leaflet.cell_quad[cell]])
-          least = std::min(least, x.distance(leaflet.mesh.points[node]));
-        farthest = std::max(farthest, least);
-      }
+  for (const Point<3> &node : leaflet.mesh.points)
+    {
+      double least = 1;
+      for (const Point<3> &x : positions)
+        least = std::min(least, x.distance_square(node));
+      farthest = std::max(farthest, std::sqrt(least));
+    }
   const double in_plane = spacing / stretch, across = 1 * mm / 3;
   const double diagonal = std::sqrt(2 * in_plane * in_plane + across * across);
   check("leaflet: spacing, up to the rim",
         farthest < diagonal / 2 * 1.15,
         farthest);
+  // a point for each lattice cell, however the elements divide the leaflet
+  const double cell = in_plane * in_plane * across;
+  check("leaflet: few more points than spacing and stretch ask for",
+        samples.size() < 1.15 * volume / cell,
+        samples.size() * cell / volume);
   bool refused = false;
   try
     {
@@ -432,6 +464,7 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_triangle();
   test_lumen();
+  test_quad_strips();
   test_leaflet_lattice();
   SimplexMesh<2> triangle;
   triangle.points = {Point<2>(1, 1), Point<2>(2, 1), Point<2>(1, 2)};

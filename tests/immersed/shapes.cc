@@ -119,6 +119,16 @@ namespace
                    1e-12);
   }
 
+  template <int dim>
+  Point<dim>
+  position(const SimplexMesh<dim> &mesh, const SamplePoint<dim> &sample)
+  {
+    Point<dim> x;
+    for (unsigned int a = 0; a <= dim; ++a)
+      x += sample.barycentric[a] * mesh.points[mesh.cells[sample.cell][a]];
+    return x;
+  }
+
   /** Points on the surface of a box 1 long, 0.2 thick and 0.5 wide. */
   template <int dim>
   void
@@ -138,11 +148,8 @@ namespace
     for (const auto &sample : samples)
       {
         volume += sample.volume;
-        Point<dim> x;
-        for (unsigned int a = 0; a <= dim; ++a)
-          x += sample.barycentric[a] *
-            strip.mesh.points[strip.mesh.cells[sample.cell][a]];
-        double distance = 1;
+        const Point<dim> x = position(strip.mesh, sample);
+        double distance    = 1;
         for (unsigned int d = 0; d < dim; ++d)
           distance = std::min({distance, x[d], upper[d] - x[d]});
         farthest = std::max(farthest, std::abs(distance));
@@ -168,6 +175,25 @@ namespace
           uncovered = std::max(uncovered, distance);
         }
     check(name + ", distance between points", nearest >= spacing, nearest);
+    const double retraction = 0.02;
+    unsigned int n_right = 0, n_near_edge = 0, n_other = 0;
+    for (const auto &sample :
+         surface_lattice(strip.mesh, spacing, depth, retraction))
+      {
+        const Point<dim> x = position(strip.mesh, sample);
+        double below       = 1;
+        for (unsigned int d = 0; d < dim; ++d)
+          below = std::min({below, x[d], upper[d] - x[d]});
+        if (std::abs(below - retraction) < 1e-12)
+          ++n_right;
+        else if (below > 0 && below < retraction)
+          ++n_near_edge; // nearer to another side of the box
+        else
+          ++n_other;
+      }
+    check(name + ", points below its surface",
+          n_other == 0 && n_right > 2 * n_near_edge,
+          n_right);
     check(name + ", surface near a point", uncovered < 1.1 * spacing);
   }
 } // namespace

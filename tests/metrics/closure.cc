@@ -1,6 +1,7 @@
 // Lines, belts, profiles, orifices, sections and distributions of shapes with
 // known answers.
 
+#include <coapt/geometry/boundary_faces.h>
 #include <coapt/metrics/belt_graph.h>
 #include <coapt/metrics/coaptation_profile.h>
 #include <coapt/metrics/contact_history.h>
@@ -269,7 +270,7 @@ main(int argc, char **argv)
                  1e-12);
   check("no leak, no orifice", effective_orifice_area(-1e-6, 1e4, 1e3) == 0);
   check("faces of two tetrahedra",
-        boundary_faces({{{0, 1, 2, 3}}, {{1, 2, 3, 4}}}).size() == 6);
+        boundary_faces<3>({{{0, 1, 2, 3}}, {{1, 2, 3, 4}}}).size() == 6);
 
   const std::vector<double> values = {1, 2, 3, 4}, weights = {4, 3, 2, 1};
   const auto share = exceedance(values, weights, {0, 1, 2.5, 4});

@@ -50,6 +50,13 @@ return [...document.querySelectorAll('#views canvas')].map((canvas) => {
 });
 """
 
+# Moves a control as a user does.
+MOVE = """
+const control = document.getElementById(arguments[0]);
+control.value = arguments[1];
+control.dispatchEvent(new Event('input'));
+"""
+
 failures = []
 
 
@@ -78,6 +85,26 @@ def set_width(driver, width, height=900):
     driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
         "width": width, "height": height, "deviceScaleFactor": 1,
         "mobile": width < 600})
+
+
+def check_controls(driver):
+    """The 3D view follows its controls, and all canvases together."""
+    pictures = [driver.execute_script(CANVASES)]
+    for control, value in (("view-time", 0), ("view-cut", 1),
+                           ("view-field", "")):
+        driver.execute_script(MOVE, control, value)
+        pictures.append(driver.execute_script(CANVASES))
+    driver.execute_script(
+        "document.querySelector('[data-look=front]').click()")
+    pictures.append(driver.execute_script(CANVASES))
+    check(all(min(shares) > .02 for shares in pictures),
+          "the valve stays in sight")
+    check(all(before != after for before, after in zip(
+        pictures, pictures[1:]) if before is not pictures[2]),
+        f"time, cut and direction change the picture {pictures}")
+    severe = [entry for entry in driver.get_log("browser")
+              if entry["level"] == "SEVERE"]
+    check(not severe, f"no errors while it is used {severe}")
 
 
 def take_screenshot(driver, file, width):
@@ -116,6 +143,7 @@ def check_page(driver, report, folder):
         check(not wide, f"{width}: all text fits {wide[:5]}")
         if folder:
             take_screenshot(driver, os.path.join(folder, f"{width}.png"), width)
+    check_controls(driver)
 
 
 def main():

@@ -38,7 +38,7 @@ random_gradient(const double J)
   return F;
 }
 
-const double fibre[3] = {2. / 7, 3. / 7, 6. / 7};
+const double fibre[9] = {2. / 7, 3. / 7, 6. / 7};
 
 /** Largest difference of the stress from the energy's derivative, relative. */
 template <int dim, typename Material>
@@ -83,7 +83,7 @@ equibiaxial(const HolzapfelGasserOgden &material, const double l, const int i)
   Matrix F{};
   F[0][0] = F[1][1]       = l;
   F[2][2]                 = 1 / (l * l);
-  const double along_1[3] = {1, 0, 0};
+  const double along_1[9] = {1};
   const auto P            = material.first_piola(F, along_1);
   return (P[i][i] * F[i][i] - P[2][2] * F[2][2]) / (l * l);
 }
@@ -133,7 +133,7 @@ check_hgo()
     Matrix F{};
     F[0][0] = l;
     F[1][1] = F[2][2]       = 1 / std::sqrt(l);
-    const double along_1[3] = {1, 0, 0};
+    const double along_1[9] = {1};
     const auto P            = fibres.first_piola(F, along_1);
     return (P[0][0] * F[0][0] - P[1][1] * F[1][1]) / (2 * l * l);
   };
@@ -244,7 +244,7 @@ void
 check_batch(const std::string &name, const Material &material)
 {
   SmallMatrix<3, Batch> F;
-  Batch directions[3];
+  Batch directions[9] = {};
   Matrix single[batch_size];
   for (unsigned int lane = 0; lane < batch_size; ++lane)
     {

@@ -2,6 +2,7 @@
 // and the choice of the step.
 
 #include <coapt/base/exceptions.h>
+#include <coapt/time/central_differences.h>
 #include <coapt/time/explicit_integrator.h>
 #include <coapt/time/stability_limit.h>
 #include <coapt/time/step_control.h>
@@ -208,6 +209,61 @@ namespace
         check("a limit that is none is refused", refused, bad);
       }
   }
+  /** A damped oscillator with central differences: error at t = 1, with steps
+   * that vary. */
+  double
+  central_difference_error(const unsigned int n_steps)
+  {
+    const double omega = 10, alpha = 2;
+    std::vector<double> state = {1., 0.};
+    CentralDifferences integrator(
+      [&](double, const double *X, const double *, double *A) {
+        A[0] = -omega * omega * X[0];
+      },
+      alpha,
+      nullptr);
+    integrator.start(0., state);
+    for (unsigned int i = 0; i < n_steps; ++i)
+      integrator.step(
+        (1 + 0.2 * std::sin(6 * 3.14159265358979 * (i + 0.5) / n_steps)) /
+        n_steps);
+    const double root = std::sqrt(omega * omega - alpha * alpha / 4);
+    const double t    = integrator.time();
+    return std::abs(
+      state[0] -
+      std::exp(-alpha / 2 * t) *
+        (std::cos(root * t) + alpha / 2 / root * std::sin(root * t)));
+  }
+
+  void
+  central_differences()
+  {
+    const double order =
+      std::log2(central_difference_error(100) / central_difference_error(200));
+    check("central differences, second order",
+          order > 1.9 && order < 2.1,
+          order);
+
+    // Just below and above the limit.
+    for (const double step : {1.99, 2.01})
+      {
+        std::vector<double> state = {1., 0.};
+        unsigned int calls        = 0;
+        CentralDifferences integrator(
+          [](double, const double *X, const double *, double *A) {
+            A[0] = -X[0];
+          },
+          0.,
+          [&](double, double *, double *, double) { ++calls; });
+        integrator.start(0., state);
+        for (unsigned int i = 0; i < 200; ++i)
+          integrator.step(step);
+        check(step < 2 ? "central differences, stable"
+                       : "central differences, unstable",
+              (std::abs(state[0]) < 20) == (step < 2) && calls == 200,
+              state[0]);
+      }
+  }
 } // namespace
 
 int
@@ -219,4 +275,5 @@ main(int argc, char *argv[])
   steps_and_errors();
   limits();
   step_control();
+  central_differences();
 }

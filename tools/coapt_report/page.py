@@ -52,6 +52,8 @@ def verdict_section(runs):
     boxes = []
     for run in runs:
         sealed, text = figures.verdict(run)
+        if not sealed:
+            text = " ".join([text] + closure.gap_sentences(run))
         name = f"<div>{html.escape(run.label)}</div>"
         boxes.append(
             f'<div class="verdict{" sealed" if sealed else ""}">{name}'
@@ -159,7 +161,12 @@ def flow_section(runs):
             figure(plots.gap_figure(runs),
                    "Width of the widest way from ventricle to atrium, beyond "
                    "the clearance of contact. Below the dotted line it counts "
-                   "as shut.") + "</div>")
+                   "as shut.") +
+            (figure(plots.time_figure(runs, "orifice_area_mm2",
+                                      "open area, mm²"),
+                    "What the leaflets leave open, seen along the axis.")
+             if any("orifice_area_mm2" in run.statistics for run in runs)
+             else "") + "</div>")
 
 
 def slip_figure(run, name):
@@ -303,8 +310,8 @@ def set_up_section(runs):
         for title, text in (
                 ("Versions and machine", "\n".join(run.provenance)),
                 ("Parameter file as read",
-                 run.text("parameters-as-read.prm")),
-                ("All parameters in use", run.text("parameters.prm")),
+                 run.parameters_as_read),
+                ("All parameters in use", run.parameters_in_use),
                 ("Where the time went", run.timings)):
             if text:
                 parts.append(f"<details><summary>{title}</summary>"

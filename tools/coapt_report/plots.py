@@ -99,9 +99,11 @@ def chordae_figure(runs):
 
 
 def time_figure(runs, name, title, bottom=0):
-    """One column of the statistics over time."""
+    """One column of the statistics over time, of the runs that have it."""
     figure, axes = figure_of(height=2.6)
     for i, run in enumerate(runs):
+        if name not in run.statistics:
+            continue
         axes[0, 0].plot(1e3 * run.statistics["time_s"], run.statistics[name],
                         color=colour_of(i))
     axes[0, 0].set_ylabel(title)

@@ -63,12 +63,17 @@ def points_of(grid):
 
 
 class Run:
-    """The output folder of one closure of a valve."""
+    """The output folder of one closure of a valve. A run of a study has its
+    parameters in the folder of the study, @p above, but for those that the
+    study has given to it, @p varied."""
 
-    def __init__(self, folder, label):
+    def __init__(self, folder, label, above="", varied=()):
         self.folder = folder
         self.label = label
-        for name in ("summary.json", "statistics.csv", "parameters.prm"):
+        self.above = above
+        self.varied = dict(varied)
+        for name in ("summary.json", "statistics.csv",
+                     above + "parameters.prm"):
             if not self.has(name):
                 raise OutputError(
                     f"{folder}: there is no {name}; is this the output of a "
@@ -110,7 +115,17 @@ class Run:
     @functools.cached_property
     def parameters(self):
         """All parameters in use."""
-        return read_parameters(self.text("parameters.prm"))
+        return {**read_parameters(self.parameters_in_use), **self.varied}
+
+    @property
+    def parameters_in_use(self):
+        """The file of all parameters."""
+        return self.text(self.above + "parameters.prm")
+
+    @property
+    def parameters_as_read(self):
+        """The parameter file as the user wrote it."""
+        return self.text(self.above + "parameters-as-read.prm")
 
     @functools.cached_property
     def provenance(self):
@@ -179,21 +194,22 @@ def runs_of(folder):
     table = os.path.join(folder, "study.csv")
     if not os.path.isfile(table):
         return [Run(folder, os.path.basename(os.path.abspath(folder)))]
+    with open(os.path.join(folder, "parameters.prm"),
+              encoding="utf-8") as file:
+        parameters = read_parameters(file.read())
+    names = split(parameters["Study/Parameter"], ";")
+    lists = [split(values, ",")
+             for values in split(parameters["Study/Values"], ";")]
     runs = []
     for i in range(len(next(iter(read_csv(table).values())))):
-        name = f"run_{i + 1}"
-        runs.append(Run(os.path.join(folder, name), name))
-    label_by_difference(runs)
+        varied = {name: values[i] for name, values in zip(names, lists)}
+        label = ", ".join(f"{name.split('/')[-1]} {value}"
+                          for name, value in varied.items())
+        runs.append(Run(os.path.join(folder, f"run_{i + 1}"), label, "../",
+                        varied))
     return runs
 
 
-def label_by_difference(runs):
-    """Labels runs of a study by the parameters in which they differ."""
-    for run in runs:
-        differing = [
-            f"{name.split('/')[-1]} {value}"
-            for name, value in run.parameters.items()
-            if not name.startswith("Output/") and any(
-                other.parameters.get(name) != value for other in runs)]
-        if differing:
-            run.label = ", ".join(differing)
+def split(text, separator):
+    """The parts of a list."""
+    return [part.strip() for part in text.split(separator)]

@@ -25,6 +25,10 @@ namespace coapt
     /** Time between two sets of field files (s), zero for none. */
     double fields_interval = 5e-3;
 
+    /** Whether to write the load of the blood on the leaflets at each output
+     * interval. */
+    bool surface_load = false;
+
     /** Folder for all results. */
     std::string output_folder = "output";
 

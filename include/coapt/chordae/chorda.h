@@ -2,6 +2,7 @@
 #define coapt_chordae_chorda_h
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
 
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ namespace coapt
 
   /**
    * A tension-only string from a papillary tip to the leaflet, where it acts
-   * on all nodes within a sphere of influence (a ball joint).
+   * on all nodes within a sphere of influence (a ball joint). In a tree of
+   * chordae either end may be a node of its own.
    */
   struct Chorda
   {
@@ -36,8 +38,11 @@ namespace coapt
     double rest_length = 0;
     double open_length = 0;
 
-    /** Papillary tip (m), fixed. */
+    /** Papillary tip (m) in the reference. */
     dealii::Point<3> tip;
+
+    /** Node that the tip is, if it can move. */
+    unsigned int origin_node = dealii::numbers::invalid_unsigned_int;
 
     /** Nodes in the sphere of influence, and their weights, of sum one. */
     std::vector<unsigned int> nodes;

@@ -16,7 +16,8 @@ namespace coapt
    * (Millard et al., 2011), from the papillary tip to the weighted mean of
    * the attached nodes, with the damping
    *   c = 2 zeta sqrt(E A / l0 m),  m = 1 / sum(w^2 / nodal mass),
-   * where m is the mass that a force on the weighted mean feels.
+   * where m is the mass that a force on the weighted mean feels, reduced by
+   * that of the other end if this is a node with a mass.
    *
    * A chorda that is shorter than its open length would start with a shock:
    * the rest length l0(t) shrinks smoothly (3 s^2 - 2 s^3) during the ramp
@@ -76,7 +77,8 @@ namespace coapt
 
     /**
      * Largest undamped angular frequency (1/s) of a taut chorda against the
-     * mass that it holds, a bound over the whole ramp.
+     * mass that it holds, a bound over the whole ramp. For trees, a bound by
+     * the sums of rows of the stiffness (Gershgorin's theorem).
      */
     double
     max_frequency() const;
@@ -88,9 +90,13 @@ namespace coapt
       return zeta;
     }
 
-    /** Weighted mean of the nodes of every chorda (m). */
+    /** Weighted mean of the nodes of every chorda, and its other end (m). @{ */
     std::vector<dealii::Point<3>>
     attachment_points(const double *X) const;
+
+    std::vector<dealii::Point<3>>
+    origins(const double *X) const;
+    /** @} */
 
     /** The chordae. */
     const std::vector<Chorda> &
@@ -112,6 +118,10 @@ namespace coapt
     static dealii::Tensor<1, 3>
     mean(const Chorda &chorda, const double *x);
 
+    /** Where a chorda begins at the positions @p X (m). */
+    static dealii::Point<3>
+    origin(const Chorda &chorda, const double *X);
+
     /** Line of action of the chorda @p i; without @p V, no damping. */
     Pull
     pull(const unsigned int i,
@@ -129,6 +139,7 @@ namespace coapt
 
     /** E A (N), c (N s/m) and the mass m (kg) of every chorda. */
     std::vector<double> axial_stiffness, damping, mass;
+    double largest_square_frequency = 0; // 1/s^2
   };
 } // namespace coapt
 

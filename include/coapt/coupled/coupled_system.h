@@ -39,6 +39,10 @@ namespace coapt
     using SolidImpulse =
       std::function<void(const double *X, double *V, double dt)>;
 
+    /** Sets positions and velocities of held nodes that move to those of time
+     * t. */
+    using HeldMotion = std::function<void(double t, double *X, double *V)>;
+
     /**
      * @p pinned nodes are held. Densities in kg/m^3, those of the operators.
      */
@@ -73,6 +77,20 @@ namespace coapt
     {
       return dealii::Utilities::MPI::sum(
         sink ? sink->power(y + state_layout.pressure()) : 0., communicator);
+    }
+
+    /**
+     * Lets held nodes move: after each step they are put where the @p motion
+     * has them, and within a step they go on at the velocity from its start.
+     */
+    void
+    set_motion(const HeldMotion &motion);
+
+    /** Work (J) that has been done on the held nodes to move them. */
+    double
+    work_of_motion() const
+    {
+      return motion_work;
     }
 
     /**
@@ -216,6 +234,10 @@ namespace coapt
     finish_fluid(const double t, double *acceleration);
     /** @} */
 
+    /** Moves held nodes in @p y to time @p t, and adds up the work. */
+    void
+    move_held_nodes(const double t, double *y);
+
     void
     accumulate_coupling_impulse();
 
@@ -242,6 +264,8 @@ namespace coapt
     std::vector<SolidLoad> loads;
     SolidImpulse impulse;
     PressureSink *sink = nullptr;
+    HeldMotion motion;
+    double motion_work = 0;
     RelaxationCoefficients coefficients;
     double tau         = 0;
     double step_length = 0;

@@ -4,10 +4,12 @@
 #include <coapt/contact/contact_parameters.h>
 #include <coapt/coupled/film_parameters.h>
 #include <coapt/coupled/mesh_parameters.h>
+#include <coapt/coupled/prescribed_motion.h>
 #include <coapt/fluid/fluid_parameters.h>
 #include <coapt/geometry/lumen.h>
 #include <coapt/geometry/valve_parameters.h>
 #include <coapt/immersion/immersion_parameters.h>
+#include <coapt/import/import_parameters.h>
 #include <coapt/solid/solid_parameters.h>
 
 #include <string>
@@ -42,10 +44,12 @@ namespace coapt
     LumenParameters lumen;
     EndParameters ends;
     ValveParameters valve;
+    ImportParameters import;
     SolidParameters solid;
     ImmersionParameters coupling;
     ContactParameters contact;
     FilmParameters film;
+    MotionParameters motion;
 
     /** Folder of the parameter file, where the files that it names are. */
     std::string folder;

@@ -41,12 +41,20 @@ namespace coapt
     void
     sum(double *all) const;
 
+    /** Sum of @p all over the ranks for the nodes of this rank's range only,
+     * in the order of the ranks. Collective. */
+    void
+    sum_owned(const double *all, double *owned) const;
+
   private:
     MPI_Comm communicator;
     int rank;
     int n_components;
     std::vector<int> counts;
     std::vector<int> offsets;
+
+    /** For what others have for the nodes of this rank. */
+    mutable std::vector<double> received;
   };
 } // namespace coapt
 

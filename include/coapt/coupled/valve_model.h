@@ -2,20 +2,14 @@
 #define coapt_coupled_valve_model_h
 
 #include <coapt/base/log.h>
-#include <coapt/base/time_table.h>
 #include <coapt/base/timing.h>
-#include <coapt/chordae/chordae_network.h>
-#include <coapt/contact/mid_surface_contact.h>
 #include <coapt/coupled/cell_work.h>
 #include <coapt/coupled/coupled_system.h>
 #include <coapt/coupled/flow_indicator.h>
-#include <coapt/coupled/model_parameters.h>
 #include <coapt/coupled/solid_band.h>
 #include <coapt/coupled/sub_grid_film.h>
-#include <coapt/geometry/leaflet.h>
-#include <coapt/geometry/lumen.h>
+#include <coapt/coupled/valve_structure.h>
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -23,12 +17,12 @@ namespace coapt
 {
   /**
    * All parts of a mitral valve in blood, built from the parameters in the
-   * order of their dependence: leaflet and chordae, octree around them,
-   * operators, coupling points, coupled system.
+   * order of their dependence: the structure, octree around it, operators,
+   * coupling points, coupled system.
    *
    * The ventricle is at the low end in z, the atrium at the high end.
    */
-  class ValveModel
+  class ValveModel : public ValveStructure
   {
   public:
     /** Sides of the box that are the ends of the lumen (boundary ids). */
@@ -71,10 +65,6 @@ namespace coapt
     double
     points_per_fluid_node() const;
 
-    /** Volume of the leaflet at rest (m^3). */
-    double
-    leaflet_volume() const;
-
     /** Largest distance between coupling points for the nodal positions @p X,
      * in units of the finest fluid cell. */
     double
@@ -91,28 +81,11 @@ namespace coapt
     double
     largest_relaxation_time(const double time) const;
 
-    /** Longest step (s) for which the largest contact stiffness is stable. */
-    double
-    contact_step_limit() const;
-
     /** Says in words which value of the state is not finite, and where.
      * Collective. */
     std::string
     name_not_finite(const std::vector<double> &y) const;
 
-    /** Sets what learns of each contact impulse: its work (J). */
-    void
-    on_contact_work(const std::function<void(double)> &listener);
-
-    const ModelParameters parameters;
-    const MPI_Comm communicator;
-    const TimeTable ventricular_pressure;
-    const FittedTube lumen;
-    const Leaflet leaflet;
-
-    std::unique_ptr<SolidOperator<3>> solid;
-    std::unique_ptr<ChordaeNetwork> chordae;
-    std::unique_ptr<MidSurfaceContact> contact;
     std::unique_ptr<FluidGrid<3>> grid;
     std::unique_ptr<FluidOperator<3>> fluid;
     std::unique_ptr<CouplingPoints<3>> points;
@@ -121,25 +94,7 @@ namespace coapt
     /** Empty if films are not drained. */
     std::unique_ptr<SubGridFilm> film;
 
-    /** What the last contact did. */
-    MidSurfaceContact::Result last_contact;
-
-    /** Triangles of the mid-surface, by columns. */
-    std::vector<std::array<unsigned int, 3>> surface;
-
-    /** Mean of the nodal values @p nodal (groups of three) through the
-     * thickness of each column, by the trapezoidal rule. */
-    std::vector<dealii::Point<3>>
-    mid_surface(const std::vector<double> &nodal) const;
-
   private:
-    /** Those of the file, with a search that sees all films. */
-    ContactParameters
-    contact_parameters() const;
-
-    void
-    build_solid();
-
     void
     build_fluid();
 
@@ -149,9 +104,6 @@ namespace coapt
 
     void
     build_coupling(Timing &timing);
-
-    void
-    act_contact(const double *X, double *V, const double dt);
 
     /** A fluid cell of this rank that has the @p node. */
     unsigned int
@@ -171,10 +123,12 @@ namespace coapt
     SolidBand<3> band;
     FlowIndicator<3> flow_indicator;
     std::unique_ptr<CellWork<3>> work;
-    std::function<void(double)> contact_work_listener;
 
     void
     build_film();
+
+    void
+    act_on_film(const double *X, const double dt);
 
     void
     update_film(const double *X);

@@ -3,8 +3,8 @@
 
 #include <coapt/coupled/coupled_system.h>
 #include <coapt/flow/flow_model.h>
-#include <coapt/flow/material_point.h>
 #include <coapt/geometry/body_shapes.h>
+#include <coapt/geometry/material_point.h>
 #include <coapt/io/statistics.h>
 #include <coapt/metrics/energy_audit.h>
 #include <coapt/solid/largest_frequency.h>

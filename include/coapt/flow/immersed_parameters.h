@@ -42,6 +42,10 @@ namespace coapt
      * and not in their whole volume. */
     bool couples_surface = false;
 
+    /** Depth of the points of a coupled surface below it, over the size of the
+     * smallest fluid cells. */
+    double retraction = 0.25;
+
     /** Rate (1/s) at which the bodies' velocities would decay by a drag in
      * proportion to their mass; it leads to a steady state. */
     double damping_rate = 0;

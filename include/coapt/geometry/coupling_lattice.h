@@ -30,13 +30,14 @@ namespace coapt
   };
 
   /**
-   * A lattice of points that fills a leaflet: in each surface quadrilateral m
-   * by n points, centred in equal parts of it, no further apart than
-   * @p spacing / @p stretch in the reference and so than @p spacing (m) under
-   * an in-plane stretch up to @p stretch; times
-   * max(@p min_layers, ceil(thickness / spacing)) layers. The volumes add up
-   * to that of the mesh, quadrilateral by quadrilateral. Points are ordered by
-   * quadrilateral.
+   * A lattice of points that fills a leaflet: lines across each strip of
+   * quadrilaterals, at equal distances over the whole strip, and points where
+   * the lines of two strips cross, no further apart than @p spacing /
+   * @p stretch in the reference and so than @p spacing (m) under an in-plane
+   * stretch up to @p stretch; times max(@p min_layers, ceil(thickness /
+   * @p spacing)) layers. Since numbers are rounded once a strip and not once a
+   * quadrilateral, the elements hardly matter. The volumes add up to that of
+   * the mesh. Points are ordered by quadrilateral.
    */
   std::vector<SamplePoint<3>>
   leaflet_lattice(const Leaflet &leaflet,
@@ -57,7 +58,10 @@ namespace coapt
    * Points on the surface of any mesh, for a body that is several fluid cells
    * thick: none nearer to another than @p spacing (m), and none of the surface
    * further away from all than that. Each stands for the part of the surface
-   * that is nearest to it, with a layer of @p depth (m) below it.
+   * that is nearest to it, with a layer of @p depth (m) below it, and lies
+   * @p retraction (m) below the surface itself: interpolated and spread
+   * linearly, a force at a point stops the flow some way before it (Breugem
+   * 2012, section 3.3, who finds 0.3 cells to give second order).
    *
    * Where a body's interior is coupled, too, the fluid's nodes around it are
    * all fixed, whatever the place of the surface between them; a surface with
@@ -67,7 +71,10 @@ namespace coapt
    */
   template <int dim>
   std::vector<SamplePoint<dim>>
-  surface_lattice(const SimplexMesh<dim> &mesh, double spacing, double depth);
+  surface_lattice(const SimplexMesh<dim> &mesh,
+                  double spacing,
+                  double depth,
+                  double retraction = 0);
 
   /** Throws InputError unless the @p spacing (m) of points is positive. */
   void

@@ -6,6 +6,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,12 @@ namespace coapt
     anterior   = 0,
     posterior  = 1,
     commissure = 2,
-    root       = 3 // between annulus line and the outer strap
+    root       = 3, // between annulus line and the outer strap
+    septal     = 4  // of a tricuspid valve
   };
+
+  /** Number of regions. */
+  constexpr unsigned int n_regions = 5;
 
   /**
    * A leaflet: a surface thickened into solid elements. Nodes come in columns
@@ -29,8 +34,12 @@ namespace coapt
    */
   struct Leaflet
   {
-    /** The solid mesh (tetrahedra), reference configuration, m. */
+    /** The solid mesh (tetrahedra), reference configuration, m. Nodes of
+     * chordae may follow those of the columns; they belong to no cell. */
     SimplexMesh<3> mesh;
+
+    /** Mass (kg) of each node of chordae; those without any are held. */
+    std::vector<double> chordae_mass;
 
     /** Nodes of each column, atrial side first, ventricular side last. All
      * columns have the same length, n_layers + 1. */
@@ -54,8 +63,11 @@ namespace coapt
     /** Prestretch F0 of each cell (F_e = F F0), identity if there is none. */
     std::vector<dealii::Tensor<2, 3>> prestretch;
 
-    /** Whether a node is held (displacement zero). */
+    /** Whether a node is held: its displacement is prescribed, usually zero. */
     std::vector<bool> pinned;
+
+    /** Held nodes by name. */
+    std::map<std::string, std::vector<unsigned int>> held_sets;
 
     /** Columns on the annulus line, in order around the valve. */
     std::vector<unsigned int> annulus_columns;

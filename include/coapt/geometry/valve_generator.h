@@ -53,6 +53,14 @@ namespace coapt
   generate_leaflet(const ValveParameters &valve);
 
   /**
+   * Adds the papillary tips to the @p leaflet as held nodes, the sets
+   * papillary_right and papillary_left, from which generate_chordae() then
+   * lets the chordae begin.
+   */
+  void
+  add_papillary_nodes(const ValveParameters &valve, Leaflet &leaflet);
+
+  /**
    * Names of all chordae before any is removed: R-P1, ..., R-S1, ..., then the
    * same with L.
    */

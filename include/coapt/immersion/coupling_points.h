@@ -117,7 +117,7 @@ namespace coapt
 
     /**
      * Largest ratio of coupled solid mass to the mass of a fluid node, over
-     * all ranks (-). Above about two the explicit step may be unstable.
+     * all ranks (-). ImmersionParameters::largest_mass_ratio() bounds it.
      */
     double
     largest_mass_ratio(const FluidOperator<dim> &fluid,

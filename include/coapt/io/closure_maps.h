@@ -1,7 +1,7 @@
 #ifndef coapt_io_closure_maps_h
 #define coapt_io_closure_maps_h
 
-#include <coapt/metrics/valve_monitor.h>
+#include <coapt/metrics/leaflet_monitor.h>
 
 #include <functional>
 #include <string>
@@ -28,8 +28,8 @@ namespace coapt
    */
   void
   write_closure_maps(
-    const ValveModel &model,
-    const ValveMonitor &monitor,
+    const ValveStructure &valve,
+    const LeafletMonitor &monitor,
     const MeanTractions &tractions,
     const std::function<std::string(const std::string &)> &file);
 } // namespace coapt

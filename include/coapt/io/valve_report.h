@@ -4,7 +4,7 @@
 #include <coapt/io/closure_maps.h>
 #include <coapt/io/statistics.h>
 #include <coapt/io/summary.h>
-#include <coapt/metrics/valve_monitor.h>
+#include <coapt/metrics/leaflet_monitor.h>
 
 #include <string>
 #include <vector>
@@ -24,14 +24,31 @@ namespace coapt
     double step_length           = 0; // s, the present one
   };
 
-  /** A row of statistics.csv: names with units, and values in them. */
+  /** A row of statistics.csv: names with units, and values in them; without
+   * blood, what concerns it is left out. */
   std::vector<Statistics::Entry>
-  statistics_row(const ValveSample &sample, const RunCost &cost);
+  statistics_row(const ValveSample &sample,
+                 const RunCost &cost,
+                 const bool in_blood);
 
   /** A row of chordae.csv: the time and the tension (N) of each chorda, by its
    * name. */
   std::vector<Statistics::Entry>
   chordae_row(const ValveSample &sample, const std::vector<Chorda> &chordae);
+
+  /** How a run is judged. */
+  struct ReportSettings
+  {
+    /** End of the run (s). */
+    double end_time = 0;
+
+    /** Width (m) beyond the contact clearance below which a path through the
+     * valve is shut. */
+    double shut_width = 0;
+
+    /** Whether there is blood that may leak. */
+    bool in_blood = true;
+  };
 
   /**
    * Collects the samples of a run and draws the verdict from them.
@@ -39,10 +56,11 @@ namespace coapt
    * Surfaces of the leaflet that are nearer to each other than the contact
    * clearance touch, so the width of a path is that beyond the clearance.
    * Closing time: the first sample from which on the widest path through the
-   * valve stays below half a fluid cell. Leak: what flows out at the atrial
+   * valve stays below the width that is called shut, half a fluid cell or
+   * half the clearance. Leak: what flows out at the atrial
    * end minus what the leaflets sweep, mean over the last 20 ms; coaptation is
    * that of the mean tractions over the same window. Sealed: the widest path
-   * is below half a fluid cell at the end, and the leak at most 1 mL/s.
+   * is shut at the end, and the leak at most 1 mL/s.
    */
   class ValveReport
   {
@@ -53,17 +71,16 @@ namespace coapt
     static constexpr double largest_leak = 1e-6;
     /** @} */
 
-    /** For a run until @p end_time (s) with the finest cell @p cell (m). */
-    ValveReport(const double end_time, const double cell);
+    explicit ValveReport(const ReportSettings &settings);
 
     /** Takes the sample that @p monitor has just made. */
     void
-    add(const ValveSample &sample, const ValveMonitor &monitor);
+    add(const ValveSample &sample, const LeafletMonitor &monitor);
 
     /** All figures of the run until the last sample. */
     Summary
-    summary(const ValveModel &model,
-            const ValveMonitor &monitor,
+    summary(const ValveStructure &valve,
+            const LeafletMonitor &monitor,
             const RunCost &cost,
             const std::vector<std::string> &warnings) const;
 
@@ -95,11 +112,16 @@ namespace coapt
     double
     tissue_flow() const;
 
+    /** Largest Reynolds number so far. */
+    double
+    peak_reynolds() const;
+
+    /** What can be seen of the orifice; in blood, also what its jet tells, with
+     * the @p density of the blood. */
     Summary
     orifice_figures(const double density) const;
 
-    const double end_time;
-    const double cell;
+    const ReportSettings settings;
     std::vector<ValveSample> samples;
 
     // Sums over the window.

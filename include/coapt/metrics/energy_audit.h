@@ -10,12 +10,12 @@
 namespace coapt
 {
   /**
-   * Keeps the books of energy: work of the ends, of driven sides, of chordae
-   * and of contact = change of the kinetic, acoustic, elastic and multiplier
-   * energies + dissipation + what is left, the error. Powers are sampled and
-   * integrated
-   * by the trapezoidal rule; the work of contact is exact, the change of the
-   * kinetic energy by each impulse. All in J, over all ranks.
+   * Keeps the books of energy: work of the ends, of driven sides, of chordae,
+   * of contact and of prescribed motion = change of the kinetic, acoustic,
+   * elastic and multiplier energies + dissipation + what is left, the error.
+   * Powers are sampled and integrated by the trapezoidal rule; the work of
+   * contact is exact, the change of the kinetic energy by each impulse. All in
+   * J, over all ranks.
    */
   template <int dim>
   class EnergyAudit
@@ -45,6 +45,7 @@ namespace coapt
       double driven_sides = 0; // sides of the box with a given velocity
       double loads        = 0;
       double contact      = 0;
+      double motion       = 0; // of what is held and moved
       double adaptation   = 0;
       double relaxation   = 0; // by the change of k with the step length
       FluidPowers fluid;       // their time integrals; the ends as above
@@ -56,7 +57,8 @@ namespace coapt
       double
       input() const
       {
-        return ends + driven_sides + loads + contact + adaptation + relaxation;
+        return ends + driven_sides + loads + contact + motion + adaptation +
+          relaxation;
       }
 
       /** What has been dissipated. */
@@ -108,8 +110,9 @@ namespace coapt
       return works;
     }
 
-    /** |work - change - dissipation| over the largest work of ends and driven
-     * sides so far, for the state @p y of the last sample. Collective. */
+    /** |work - change - dissipation| over the largest work of ends, driven
+     * sides and prescribed motion so far, for the state @p y of the last
+     * sample. Collective. */
     double
     relative_error(const double *y) const;
 

@@ -43,10 +43,6 @@ namespace coapt
   effective_orifice_area(const double leak,
                          const double pressure,
                          const double density);
-
-  /** Faces of tetrahedra that belong to one of them only. */
-  std::vector<std::array<unsigned int, 3>>
-  boundary_faces(const std::vector<std::array<unsigned int, 4>> &cells);
 } // namespace coapt
 
 #endif

@@ -26,8 +26,10 @@ namespace coapt
     /** Volumes (m^3, in 2D m^2) in the reference. */
     Batch volume;
 
-    /** Unit fibre vectors in the stress-free configuration. */
-    Batch fibre[dim];
+    /** Unit fibre vectors in the stress-free configuration. In 3D and with a
+     * normal, the unit vectors across the fibre and along the normal follow.
+     */
+    Batch fibre[dim * dim];
 
     /** Index of each node's first entry in a nodal array. */
     int entry[dim + 1][batch_size];
@@ -98,14 +100,16 @@ namespace coapt
   /**
    * Batches of the given @p cells of @p mesh. @p fibre (per cell, any length
    * but zero) and @p prestretch F0 (per cell; elastic deformation gradient
-   * F F0, where F is relative to the mesh) may be empty.
+   * F F0, where F is relative to the mesh) may be empty, as may @p normal (per
+   * cell), of which the part across the fibre counts.
    */
   template <int dim>
   std::vector<CellBatch<dim>>
   build_batches(const SimplexMesh<dim> &mesh,
                 const std::vector<unsigned int> &cells,
                 const std::vector<dealii::Tensor<1, dim>> &fibre,
-                const std::vector<dealii::Tensor<2, dim>> &prestretch);
+                const std::vector<dealii::Tensor<2, dim>> &prestretch,
+                const std::vector<dealii::Tensor<1, dim>> &normal = {});
 
   /**
    * Volume of every cell (m^3, in 2D m^2), negative if it is inverted.

@@ -41,9 +41,12 @@ namespace coapt
     update(const double *X);
 
   private:
-    /** Adds noise to the nodes of a cell. */
+    /** Adds noise to the nodes of a cell, up to 0.3 of @p largest. */
     void
-    disturb(const unsigned int cell);
+    disturb(const unsigned int cell, const double largest);
+
+    double
+    largest_component() const;
 
     /** w <- M^-1 K w, scaled to the norm one; returns the norm before. */
     double

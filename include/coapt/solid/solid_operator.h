@@ -48,26 +48,32 @@ namespace coapt
     };
 
     /**
-     * @p fibre (one vector a cell) is needed by the materials HGO and
-     * tense fibres, and otherwise ignored; @p prestretch F0 (one tensor a cell,
-     * positive determinant) may be empty: identity. Collective.
+     * @p fibre (one vector a cell) is needed by the materials that have
+     * fibres, and otherwise ignored; @p prestretch F0 (one tensor a cell,
+     * positive determinant) may be empty: identity. @p normal (one vector a
+     * cell) is needed by materials with several directions in the plane across
+     * it. @p added_mass is that of the last nodes of the mesh (kg), which may
+     * then belong to no cell. Collective.
      *
      * @throws InputError if cells are inverted or without volume (the first
      * ten are listed), if the material is not admissible or not available
-     * (HGO and Ogden in 2D), or if fibres or prestretches are missing, of
-     * another number than the cells, zero or singular.
+     * (spatial ones in 2D), or if fibres, normals or prestretches are missing,
+     * of another number than the cells, zero or singular.
      */
     SolidOperator(const SimplexMesh<dim> &mesh,
                   const SolidParameters &parameters,
                   const std::vector<dealii::Tensor<1, dim>> &fibre,
                   const std::vector<dealii::Tensor<2, dim>> &prestretch,
-                  const MPI_Comm communicator);
+                  const MPI_Comm communicator,
+                  const std::vector<dealii::Tensor<1, dim>> &normal = {},
+                  const std::vector<double> &added_mass             = {});
 
     /** Number of nodes. */
     unsigned int
     n_nodes() const;
 
-    /** Lumped mass of every node (kg), of the cells of all ranks. */
+    /** Lumped mass of every node (kg), of the cells of all ranks and what was
+     * added. */
     const std::vector<double> &
     mass() const;
 

@@ -1,11 +1,7 @@
 #ifndef coapt_solid_solid_parameters_h
 #define coapt_solid_solid_parameters_h
 
-#include <coapt/solid/materials/holzapfel_gasser_ogden.h>
-#include <coapt/solid/materials/neo_hookean.h>
-#include <coapt/solid/materials/ogden.h>
-#include <coapt/solid/materials/saint_venant_kirchhoff.h>
-#include <coapt/solid/materials/tense_fibres.h>
+#include <coapt/solid/materials/material.h>
 
 #include <string>
 
@@ -17,11 +13,10 @@ namespace dealii
 namespace coapt
 {
   /** The solid's material, density and damping: the subsection "Solid". */
-  struct SolidParameters
+  struct SolidParameters : Materials
   {
-    /** "HGO", "Ogden", "neo-Hookean", "St Venant-Kirchhoff" or "tense
-     * fibres". */
-    std::string material = "HGO";
+    /** Name of the material in use, as in its class. */
+    std::string material = HolzapfelGasserOgden::name;
 
     /** Mass density in the reference (kg/m^3). */
     double density = 1060;
@@ -29,11 +24,9 @@ namespace coapt
     /** Kelvin-Voigt viscosity (Pa s). */
     double viscosity = 0.4;
 
-    HolzapfelGasserOgden holzapfel_gasser_ogden;
-    Ogden ogden;
-    NeoHookean neo_hookean;
-    SaintVenantKirchhoff saint_venant_kirchhoff;
-    TenseFibres tense_fibres;
+    /** Smallest and largest stretch in the tangent plane for which
+     * stability_warning() examines the material; none if they are equal. */
+    double lowest_stretch = 1, highest_stretch = 1;
 
     /** Declares the subsection "Solid" and those of the materials in it. */
     static void
@@ -49,6 +42,10 @@ namespace coapt
      */
     void
     check() const;
+
+    /** The material in use. @throws InputError as check(). */
+    Material
+    selected_material() const;
   };
 } // namespace coapt
 

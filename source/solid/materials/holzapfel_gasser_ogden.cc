@@ -1,8 +1,11 @@
 #include <coapt/base/exceptions.h>
+#include <coapt/base/units.h>
 #include <coapt/solid/materials/holzapfel_gasser_ogden.h>
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace coapt
@@ -43,6 +46,12 @@ namespace coapt
                       "Bulk modulus over the initial shear modulus 2 C10 (no "
                       "unit). Below 100, the leaflet swells by several "
                       "percent.");
+    prm.declare_entry("Fibre angles",
+                      "0",
+                      dealii::Patterns::List(Double(-180, 180), 1),
+                      "Angle (degrees) of each fibre family to the fibre "
+                      "direction, in the tangent plane of the leaflet; such "
+                      "as -30, 30 for two families.");
     prm.leave_subsection();
   }
 
@@ -56,6 +65,14 @@ namespace coapt
     kappa             = prm.get_double("Dispersion");
     exponential_limit = prm.get_double("Exponential limit");
     bulk_factor       = prm.get_double("Bulk factor");
+    families.clear();
+    for (const std::string &angle :
+         dealii::Utilities::split_string_list(prm.get("Fibre angles")))
+      {
+        const double radians =
+          dealii::Utilities::string_to_double(angle) * units::degree;
+        families.push_back({{std::cos(radians), std::sin(radians)}});
+      }
     prm.leave_subsection();
     check();
   }
@@ -76,6 +93,9 @@ namespace coapt
               << ", bulk factor = " << bulk_factor
               << ": all must be positive (subsection "
                  "Solid/Holzapfel-Gasser-Ogden)";
+    else if (families.empty())
+      message << "there is no fibre family, expected is at least one "
+                 "(parameter Solid/Holzapfel-Gasser-Ogden/Fibre angles)";
     if (!message.str().empty())
       throw InputError("Material HGO: " + message.str() + ".");
   }

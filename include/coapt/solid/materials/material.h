@@ -1,13 +1,14 @@
 #ifndef coapt_solid_materials_material_h
 #define coapt_solid_materials_material_h
 
+#include <coapt/solid/materials/fung.h>
 #include <coapt/solid/materials/holzapfel_gasser_ogden.h>
+#include <coapt/solid/materials/may_newman_yin.h>
 #include <coapt/solid/materials/neo_hookean.h>
 #include <coapt/solid/materials/ogden.h>
 #include <coapt/solid/materials/saint_venant_kirchhoff.h>
 #include <coapt/solid/materials/tense_fibres.h>
 
-#include <type_traits>
 #include <variant>
 
 namespace coapt
@@ -16,18 +17,36 @@ namespace coapt
   using Material = std::variant<HolzapfelGasserOgden,
                                 Ogden,
                                 NeoHookean,
+                                Fung,
+                                MayNewmanYin,
                                 SaintVenantKirchhoff,
                                 TenseFibres>;
 
-  /** Whether a material exists in 3D only. */
-  template <typename Law>
-  constexpr bool is_spatial = std::is_same<Law, HolzapfelGasserOgden>::value ||
-    std::is_same<Law, Ogden>::value;
+  /** Every material with its parameters; one of them is chosen by name. */
+  struct Materials
+  {
+    HolzapfelGasserOgden holzapfel_gasser_ogden;
+    Ogden ogden;
+    NeoHookean neo_hookean;
+    Fung fung;
+    MayNewmanYin may_newman_yin;
+    SaintVenantKirchhoff saint_venant_kirchhoff;
+    TenseFibres tense_fibres;
 
-  /** Whether a material needs a fibre in every cell. */
-  template <typename Law>
-  constexpr bool has_fibres = std::is_same<Law, HolzapfelGasserOgden>::value ||
-    std::is_same<Law, TenseFibres>::value;
+    /** Calls @p f with every material of @p materials. */
+    template <typename Self, typename Function>
+    static void
+    for_each(Self &materials, const Function &f)
+    {
+      f(materials.holzapfel_gasser_ogden);
+      f(materials.ogden);
+      f(materials.neo_hookean);
+      f(materials.fung);
+      f(materials.may_newman_yin);
+      f(materials.saint_venant_kirchhoff);
+      f(materials.tense_fibres);
+    }
+  };
 } // namespace coapt
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef coapt_solid_materials_neo_hookean_h
 #define coapt_solid_materials_neo_hookean_h
 
+#include <coapt/solid/materials/material_defaults.h>
 #include <coapt/solid/materials/volume_change.h>
 #include <coapt/solid/small_matrix.h>
 
@@ -17,8 +18,10 @@ namespace coapt
    *   W = mu/2 (F:F - dim - 2 ln J) + lambda/2 (ln J)^2.
    * Stresses are per reference area (Pa), energies per reference volume (Pa).
    */
-  struct NeoHookean
+  struct NeoHookean : MaterialDefaults
   {
+    static constexpr const char *name = "neo-Hookean";
+
     double mu     = 4544;   ///< shear modulus (Pa)
     double lambda = 908800; ///< first Lame parameter (Pa)
 

@@ -1,6 +1,7 @@
 #ifndef coapt_solid_materials_ogden_h
 #define coapt_solid_materials_ogden_h
 
+#include <coapt/solid/materials/material_defaults.h>
 #include <coapt/solid/materials/volume_change.h>
 #include <coapt/solid/small_matrix.h>
 
@@ -23,8 +24,11 @@ namespace coapt
    * program they were fitted with. Stresses are per reference area (Pa),
    * energies per reference volume (Pa).
    */
-  struct Ogden
+  struct Ogden : MaterialDefaults
   {
+    static constexpr const char *name = "Ogden";
+    static constexpr bool is_spatial  = true;
+
     std::string convention    = "Abaqus";                    ///< or "classical"
     std::vector<double> mu    = {0.002, 1010.038, 1230.418}; ///< (Pa)
     std::vector<double> alpha = {63.659, 9.471, 22.412};

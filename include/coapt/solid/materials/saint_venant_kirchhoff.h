@@ -1,6 +1,7 @@
 #ifndef coapt_solid_materials_saint_venant_kirchhoff_h
 #define coapt_solid_materials_saint_venant_kirchhoff_h
 
+#include <coapt/solid/materials/material_defaults.h>
 #include <coapt/solid/small_matrix.h>
 
 namespace dealii
@@ -18,8 +19,10 @@ namespace coapt
    * for large rotations with small strains. Stresses are per reference area
    * (Pa), energies per reference volume (Pa).
    */
-  struct SaintVenantKirchhoff
+  struct SaintVenantKirchhoff : MaterialDefaults
   {
+    static constexpr const char *name = "St Venant-Kirchhoff";
+
     double mu     = 5e5; ///< shear modulus (Pa)
     double lambda = 2e6; ///< first Lame parameter (Pa)
 

@@ -1,6 +1,7 @@
 #ifndef coapt_solid_materials_tense_fibres_h
 #define coapt_solid_materials_tense_fibres_h
 
+#include <coapt/solid/materials/material_defaults.h>
 #include <coapt/solid/small_matrix.h>
 
 namespace dealii
@@ -18,8 +19,11 @@ namespace coapt
    * and to changes of volume. Stresses are per reference area (Pa), energies
    * per reference volume (Pa).
    */
-  struct TenseFibres
+  struct TenseFibres : MaterialDefaults
   {
+    static constexpr const char *name = "tense fibres";
+    static constexpr bool has_fibres  = true;
+
     double mu = 1; ///< tension at no stretch (Pa)
 
     /** Declares the parameters in a subsection of their own. */

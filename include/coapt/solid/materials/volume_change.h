@@ -69,6 +69,20 @@ namespace coapt
       const Number b = at_least(J, smallest_jacobian);
       return bulk_modulus / 2 * (1. + 1. / (b * b));
     }
+
+    /**
+     * Bound of the second derivative of the energy to the spatial gradient L
+     * of unit norm (Pa): energy'' J^2 (tr L)^2 + energy' J ((tr L)^2 -
+     * tr(L L)), the second term of which is between -1 and 2 times energy' J.
+     */
+    template <typename Number>
+    Number
+    stiffness(const Number &J) const
+    {
+      const Number b = at_least(J, smallest_jacobian);
+      const Number p = pressure(J);
+      return (tangent(J) * b + (p < 0 ? -p : 2. * p)) * b;
+    }
   };
 } // namespace coapt
 

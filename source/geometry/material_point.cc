@@ -1,5 +1,5 @@
 #include <coapt/base/exceptions.h>
-#include <coapt/flow/material_point.h>
+#include <coapt/geometry/material_point.h>
 
 #include <algorithm>
 #include <limits>
@@ -12,7 +12,9 @@ namespace coapt
 
   template <int dim>
   MaterialPoint<dim>
-  find_material_point(const SimplexMesh<dim> &mesh, const Point<dim> &point)
+  find_material_point(const SimplexMesh<dim> &mesh,
+                      const Point<dim> &point,
+                      const std::string &name)
   {
     MaterialPoint<dim> best;
     double least = -std::numeric_limits<double>::max();
@@ -43,8 +45,7 @@ namespace coapt
     if (least < -1e-6)
       {
         std::ostringstream message;
-        message << "Body/Displacement points: (" << point
-                << ") m is in no body";
+        message << name << ": (" << point << ") m is in no body";
         throw InputError(message.str());
       }
     return best;
@@ -70,9 +71,13 @@ namespace coapt
   }
 
   template MaterialPoint<2>
-  find_material_point(const SimplexMesh<2> &, const Point<2> &);
+  find_material_point(const SimplexMesh<2> &,
+                      const Point<2> &,
+                      const std::string &);
   template MaterialPoint<3>
-  find_material_point(const SimplexMesh<3> &, const Point<3> &);
+  find_material_point(const SimplexMesh<3> &,
+                      const Point<3> &,
+                      const std::string &);
   template Tensor<1, 2>
   displacement(const SimplexMesh<2> &,
                const MaterialPoint<2> &,

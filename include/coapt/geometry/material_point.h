@@ -1,11 +1,12 @@
-#ifndef coapt_flow_material_point_h
-#define coapt_flow_material_point_h
+#ifndef coapt_geometry_material_point_h
+#define coapt_geometry_material_point_h
 
 #include <coapt/geometry/simplex_mesh.h>
 
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace coapt
@@ -19,11 +20,12 @@ namespace coapt
   };
 
   /** Finds @p point (m) in the reference configuration @p mesh. Throws
-   * InputError if it is in no cell. */
+   * InputError, which says @p name, if it is in no cell. */
   template <int dim>
   MaterialPoint<dim>
   find_material_point(const SimplexMesh<dim> &mesh,
-                      const dealii::Point<dim> &point);
+                      const dealii::Point<dim> &point,
+                      const std::string &name);
 
   /** Displacement (m) of a point for the nodal positions @p X (m). */
   template <int dim>

@@ -1,0 +1,45 @@
+# Runs tiny_dry.prm of the folder SOURCE with PROGRAM on 1 and 2 ranks, in FOLDER.
+# Asserts that all results are there, that nothing speaks of blood, that energy is
+# balanced, and that every column of the statistics is the same on both to 1e-9.
+cmake_minimum_required(VERSION 3.19)
+
+function(require condition_text)
+  if(NOT (${ARGN}))
+    message(FATAL_ERROR "${condition_text}")
+  endif()
+endfunction()
+
+foreach(ranks 1 2)
+  set(folder ${FOLDER}/${ranks})
+  file(REMOVE_RECURSE ${folder})
+  file(COPY ${SOURCE}/tiny_dry.prm ${SOURCE}/pressure.csv DESTINATION ${folder})
+  execute_process(COMMAND ${MPIEXEC} -n ${ranks} ${PROGRAM} tiny_dry.prm
+    WORKING_DIRECTORY ${folder}
+    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  require("Exit code ${code} on ${ranks} ranks:\n${output}" code EQUAL 0)
+  require("No table of timings:\n${output}" output MATCHES "Solid +[0-9]+ ")
+  foreach(name statistics.csv fields/leaflet.pvd fields/leaflet_00002.vtu
+      fields/chordae_00002.vtu)
+    require("${name} is missing" EXISTS ${folder}/results/${name})
+  endforeach()
+  require("There is a fluid" NOT EXISTS ${folder}/results/fields/fluid.pvd)
+
+  file(READ ${folder}/results/summary.json text)
+  foreach(key sealed closing_time_s coaptation_force_N contact_force_N chordae_peak_N
+      stress_mean_kPa strain_mean solid_tets steps wall_s energy_error_relative)
+    string(JSON value ERROR_VARIABLE error GET "${text}" ${key})
+    require("summary.json: ${key}: ${error}" NOT error)
+  endforeach()
+  string(JSON value ERROR_VARIABLE error GET "${text}" leak_mL_per_s)
+  require("A valve without fluid leaks ${value}" error)
+  string(JSON force GET "${text}" contact_force_N)
+  require("There is no contact" force GREATER 0)
+  string(JSON error GET "${text}" energy_error_relative)
+  require("The energy error is ${error}" error LESS 0.02)
+endforeach()
+
+execute_process(COMMAND awk -F, -f ${SOURCE}/compare_statistics.awk
+  ${FOLDER}/1/results/statistics.csv ${FOLDER}/2/results/statistics.csv
+  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+message("${output}")
+require("The statistics of 1 and 2 ranks differ." code EQUAL 0)
