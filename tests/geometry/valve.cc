@@ -1,6 +1,7 @@
 // The generated valve: mesh, labels, fibres, held nodes, chordae, bad input.
 
 #include <coapt/base/exceptions.h>
+#include <coapt/geometry/quadratic_mesh.h>
 #include <coapt/geometry/valve_generator.h>
 
 #include <algorithm>
@@ -86,6 +87,87 @@ test_mesh(const std::string &name, const Leaflet &leaflet)
           return edge.second == 0;
         }));
   check_relative(name + " enclosed volume", enclosed, sum, 1e-12);
+}
+
+// Elements of ten nodes: every node is in use, each face belongs to two
+// elements or the surface, the first parts are at the vertices, the nodes of
+// edges lie between those of their ends, and the parts in the quadrilateral
+// they name.
+void
+test_quadratic(ValveParameters valve)
+{
+  valve.quadratic         = true;
+  valve.n_circumferential = 40;
+  valve.n_root_rows       = 2;
+  const Leaflet leaflet   = generate_leaflet(valve);
+  const auto &mesh        = leaflet.mesh;
+  test_mesh("parts of quadratic elements:", leaflet);
+  check("sizes with quadratic elements",
+        mesh.quadratic_cells.size() == 20 * 7 * 6 &&
+          mesh.cells.size() == 8 * mesh.quadratic_cells.size() &&
+          leaflet.cell_quad.size() == mesh.cells.size() &&
+          mesh.n_elements() == mesh.quadratic_cells.size());
+
+  std::vector<bool> used(mesh.points.size(), false);
+  std::map<std::array<unsigned int, 3>, unsigned int> faces;
+  bool at_vertices = true;
+  double off       = 0;
+  for (unsigned int i = 0; i < mesh.quadratic_cells.size(); ++i)
+    {
+      const auto &nodes = mesh.quadratic_cells[i];
+      for (const unsigned int node : nodes)
+        used[node] = true;
+      for (unsigned int a = 0; a < 4; ++a)
+        {
+          const auto &part = mesh.cells[8 * i + a];
+          at_vertices      = at_vertices &&
+            std::find(part.begin(), part.end(), nodes[a]) != part.end();
+          std::array<unsigned int, 3> face;
+          std::remove_copy(nodes.begin(),
+                           nodes.begin() + 4,
+                           face.begin(),
+                           nodes[a]);
+          std::sort(face.begin(), face.end());
+          ++faces[face];
+        }
+      for (unsigned int e = 0; e < 6; ++e)
+        {
+          const Point<3> &a = mesh.points[nodes[tetrahedron_edges[e][0]]];
+          const Point<3> &b = mesh.points[nodes[tetrahedron_edges[e][1]]];
+          const auto middle = 0.5 * (a + b);
+          off               = std::max(off,
+                         middle.distance(mesh.points[nodes[4 + e]]) /
+                           a.distance(b));
+        }
+    }
+  check("every node is in use",
+        std::all_of(used.begin(), used.end(), [](const bool u) { return u; }));
+  check("the first parts are at the vertices", at_vertices);
+  // The surface bends by some degrees from node to node.
+  check("nodes of edges are near their middles", off < 0.06, off);
+  unsigned int outside = 0, most = 0;
+  for (const auto &face : faces)
+    {
+      outside += face.second == 1;
+      most = std::max(most, face.second);
+    }
+  check("quadratic elements conform",
+        most == 2 && outside == 2 * (2 * 20 * 7 + 2 * 20),
+        outside);
+
+  unsigned int elsewhere = 0;
+  for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+    for (const unsigned int node : mesh.cells[c])
+      {
+        const auto &quad = leaflet.quads[leaflet.cell_quad[c]];
+        elsewhere +=
+          std::none_of(quad.begin(), quad.end(), [&](const unsigned int q) {
+            const auto &column = leaflet.columns[q];
+            return std::find(column.begin(), column.end(), node) !=
+              column.end();
+          });
+      }
+  check("parts are in their quadrilaterals", elsewhere == 0, elsewhere);
 }
 
 void
@@ -358,6 +440,13 @@ test_input()
   check("thickness 0 refused", refused(entry("Valve", "Thickness", "0")));
   check("odd elements refused",
         refused(entry("Valve", "Elements around", "83")));
+  check("odd layers of quadratic elements refused",
+        refused([&](ParameterHandler &prm) {
+          entry("Valve", "Element", "P2")(prm);
+          entry("Valve", "Elements around", "80")(prm);
+          entry("Valve", "Root rows", "2")(prm);
+          entry("Valve", "Layers", "3")(prm);
+        }));
   check("unknown chorda refused",
         refused(entry("Chordae", "Removed chordae", "R-P1, R-P9")));
   check("missing height refused",
@@ -436,6 +525,7 @@ main(int argc, char **argv)
   valve.n_root_rows = 2;
   test_mesh("three layers:", generate_leaflet(valve));
   valve = ValveParameters();
+  test_quadratic(valve);
   test_labels(valve, generate_leaflet(valve));
   test_pinned(valve);
   test_fibres(valve);
