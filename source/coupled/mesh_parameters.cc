@@ -25,6 +25,13 @@ namespace coapt
                       Integer(0, 12),
                       "Refinements around the leaflet (-); at least the "
                       "lumen's.");
+    prm.declare_entry("Wall level",
+                      "0",
+                      Integer(0, 12),
+                      "Refinements of the cells that the wall of the lumen "
+                      "cuts (-); if it is below the lumen's, they are as "
+                      "large as the others. Steps in a coarse wall make the "
+                      "lumen wider.");
     prm.declare_entry("Band",
                       "2.5",
                       Double(2., 100.),
@@ -80,6 +87,7 @@ namespace coapt
     flow_jump       = prm.get_double("Flow velocity jump");
     flow_interval   = prm.get_double("Flow interval");
     max_cells       = prm.get_integer("Largest number of cells");
+    wall_level      = prm.get_integer("Wall level");
     prm.leave_subsection();
     if (leaflet_level < lumen_level)
       throw InputError(
@@ -91,6 +99,10 @@ namespace coapt
                        ", but must be at most Leaflet level minus Lumen "
                        "level, " +
                        std::to_string(leaflet_level - lumen_level));
+    if (wall_level > leaflet_level)
+      throw InputError("Mesh: Wall level is " + std::to_string(wall_level) +
+                       ", but must be at most Leaflet level, " +
+                       std::to_string(leaflet_level));
     if (flow_level > leaflet_level)
       throw InputError("Mesh: Flow level is " + std::to_string(flow_level) +
                        ", but must be at most Leaflet level, " +

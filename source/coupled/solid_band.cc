@@ -103,13 +103,17 @@ namespace coapt
   {
     const double half_diagonal = 0.5 * std::sqrt(double(dim)) * size;
     // All its nodes are held, also where the root of the solid lies in it.
-    if (lumen && lumen(center) > half_diagonal)
+    const double to_wall =
+      lumen ? lumen(center) : -std::numeric_limits<double>::max();
+    if (to_wall > half_diagonal)
       return 0;
     if (is_in_band(center, size, facing, parameters.leaflet_level))
       return parameters.leaflet_level;
     if (is_in_band(center, size, apart, parameters.level_apart()))
       return parameters.level_apart();
-    return parameters.lumen_level;
+    return to_wall > -half_diagonal
+      ? std::max(parameters.wall_level, parameters.lumen_level)
+      : parameters.lumen_level;
   }
 
 

@@ -208,9 +208,10 @@ namespace coapt
   ValveModel::wanted_level(const Point<3> &center, const double size) const
   {
     const unsigned int level = band.wanted_level(center, size);
-    return level == parameters.mesh.lumen_level
-      ? flow_indicator.wanted_level(center, size)
-      : level;
+    // Below the lumen's level there is no flow.
+    return level < parameters.mesh.lumen_level
+      ? level
+      : std::max(level, flow_indicator.wanted_level(center, size));
   }
 
 

@@ -103,6 +103,24 @@ namespace
     check("coarse ones are not", !band.is_used_up(moved_up(5e-3, 1.2 * h)));
     check("coarse cells are used up", band.is_used_up(moved_up(5e-3, 1.3 * h)));
   }
+
+  void
+  wall()
+  {
+    MeshParameters parameters = mesh_parameters();
+    parameters.lumen_level    = 1;
+    parameters.wall_level     = 2;
+    const SolidBand<3> band(parameters, [](const Point<3> &x) { return x[2]; });
+    const double size = 1e-3, half_diagonal = 0.5 * std::sqrt(3.) * size;
+    const auto level = [&](const double z) {
+      return band.wanted_level(Point<3>(0, 0, z), size);
+    };
+    check("in the lumen", level(-1.01 * half_diagonal) == 1);
+    check("cut by the wall",
+          level(-0.99 * half_diagonal) == 2 &&
+            level(0.99 * half_diagonal) == 2);
+    check("outside", level(1.01 * half_diagonal) == 0);
+  }
 } // namespace
 
 int
@@ -111,4 +129,5 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   facing();
   levels();
+  wall();
 }

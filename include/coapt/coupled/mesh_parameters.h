@@ -16,6 +16,10 @@ namespace coapt
     unsigned int lumen_level   = 2;
     unsigned int leaflet_level = 3;
 
+    /** Level of the cells that the wall of the lumen cuts, if it is above the
+     * lumen's. */
+    unsigned int wall_level = 0;
+
     /** Half width of the band around the leaflet, in its cells. */
     double band = 2.5;
 

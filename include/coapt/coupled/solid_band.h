@@ -15,8 +15,8 @@ namespace coapt
   /**
    * The refinement that follows the solid: the finest level within a band
    * around what faces other parts of the solid, the level of parts that are
-   * apart within a band around the rest, the lumen's level elsewhere, and no
-   * refinement outside the lumen.
+   * apart within a band around the rest, the level of the wall where it cuts
+   * cells, the lumen's level elsewhere, and no refinement outside the lumen.
    */
   template <int dim>
   class SolidBand
