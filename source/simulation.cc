@@ -10,6 +10,21 @@
 
 namespace coapt
 {
+  namespace
+  {
+    std::vector<Plane>
+    planes(const RunParameters &run)
+    {
+      std::vector<Plane> result;
+      for (const auto &[x, y, z, nx, ny, nz] : run.flow_planes)
+        result.push_back(
+          {dealii::Point<3>(x, y, z), dealii::Tensor<1, 3>({nx, ny, nz})});
+      return result;
+    }
+  } // namespace
+
+
+
   Simulation::Simulation(const SimulationParameters &parameters,
                          Log &log,
                          MPI_Comm communicator)
@@ -17,7 +32,7 @@ namespace coapt
     , log(log)
     , communicator(communicator)
     , model(parameters.model, timing, communicator)
-    , monitor(model)
+    , monitor(model, planes(parameters.run))
     , integrator(
         communicator,
         [this](const double t, const double *y, double *y_dot) {

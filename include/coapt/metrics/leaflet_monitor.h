@@ -52,6 +52,7 @@ namespace coapt
     EnergyAudit<3>::Energies energies;
     std::array<double, ChordaePeaks::n_classes> chordae_tension{};
     std::vector<double> chorda_tension;              // of each
+    std::vector<double> plane_flow;                  // along each normal
     std::map<std::string, double> held_displacement; // largest, by set
     WidestPath path;
     Orifice orifice;
