@@ -143,8 +143,8 @@ test_quadratic(ValveParameters valve)
   check("every node is in use",
         std::all_of(used.begin(), used.end(), [](const bool u) { return u; }));
   check("the first parts are at the vertices", at_vertices);
-  // The surface bends by some degrees from node to node.
-  check("nodes of edges are near their middles", off < 0.06, off);
+  // At a quarter of the edge, the map of the element begins to fold.
+  check("nodes of edges are near their middles", off < 0.25, off);
   unsigned int outside = 0, most = 0;
   for (const auto &face : faces)
     {
