@@ -45,7 +45,7 @@ namespace
   void
   write_deck(std::ostream &deck,
              const SimplexMesh<3> &mesh,
-             const Strip<SolidOperator<3>> &strip,
+             const Strip<bricks::Linear> &strip,
              const unsigned int n_steps,
              const double step)
   {
@@ -99,7 +99,7 @@ main(int argc, char *argv[])
     }
   const double end_time     = std::stod(argv[2]);
   const SimplexMesh<3> mesh = falling_strip::mesh();
-  const Strip<SolidOperator<3>> strip(mesh);
+  const Strip<bricks::Linear> strip(mesh);
   const unsigned int n_steps = std::ceil(end_time / step_for_calculix(mesh));
   const double step          = end_time / n_steps;
   std::ofstream deck(argv[1]);

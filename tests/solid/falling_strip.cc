@@ -10,7 +10,7 @@ int
 main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
-  const Strip<SolidOperator<3>> strip(mesh());
+  const Strip<bricks::Linear> strip(mesh());
   const Tensor<1, 3> displacement = strip.end_displacement(1500, 0.03 / 1500);
   const Point<3> calculix(-7.26855e-3, 0, -6.99389e-3);
   check("displacement of a falling strip",

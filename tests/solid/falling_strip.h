@@ -37,15 +37,11 @@ namespace falling_strip
     });
   }
 
-  template <typename Solid>
-  struct Strip : Body<Solid>
+  template <typename Element>
+  struct Strip : Body<Element>
   {
     explicit Strip(const SimplexMesh<3> &mesh)
-      : Body<Solid>(mesh,
-                    material(),
-                    density,
-                    std::vector<Tensor<1, 3>>(mesh.cells.size(),
-                                              Point<3>(1, 0, 0)))
+      : Body<Element>(mesh, material(), density, Point<3>(1, 0, 0))
     {
       for (unsigned int node = 0; node < this->points.size(); ++node)
         {
