@@ -165,12 +165,14 @@ namespace coapt
 
 
   // The nearest triangle that faces the column, and the nearest one in the
-  // opposite direction if it is in contact. Returns how many there are.
+  // opposite direction if it is in contact, both within the distance given.
+  // Returns how many there are.
   // Measured distances sharpen the bounds of the candidates, and the nearest
   // one moves to the front, so that in the next step few others have to be
   // measured.
   unsigned int
   MidSurfaceContact::find_encounters(const unsigned int i,
+                                     const double within,
                                      Encounter (&encounters)[2])
   {
     const double onset        = thickness + parameters.clearance;
@@ -180,7 +182,7 @@ namespace coapt
 
     touching.clear(); // any of these may turn out to be the opposite one
     unsigned int n = 0;
-    double nearest = onset + 0.5 * parameters.search_margin;
+    double nearest = within;
     double least   = std::numeric_limits<double>::max();
     for (auto &candidate : list)
       {
@@ -285,16 +287,23 @@ namespace coapt
     const unsigned int c = own_columns[i];
     double *sum          = &sums[n_slots * c];
     const double onset   = thickness + parameters.clearance;
-    if (!measure_all && least_distance[i] - 2 * displacement > onset)
+    // A gap that was in contact is known until it is found to be wider.
+    const bool measure = measure_all || columns.gap[c] < parameters.clearance;
+    Encounter encounters[2];
+    unsigned int n = 0;
+    if (measure || least_distance[i] - 2 * displacement <= onset)
+      n = find_encounters(i,
+                          measure ? onset + 0.5 * parameters.search_margin
+                                  : onset,
+                          encounters);
+    if (n == 0 && !measure)
       {
         sum[gap] = columns.gap[c];
         add(sum + direction, 1., columns.normals[c]);
         histories[i] = {};
         return;
       }
-    Encounter encounters[2];
-    const unsigned int n = find_encounters(i, encounters);
-    sum[gap]             = n > 0 ? encounters[0].distance - thickness : no_gap;
+    sum[gap] = n > 0 ? encounters[0].distance - thickness : no_gap;
     if (n > 0)
       add(sum + direction, 1., encounters[0].normal);
     std::array<ElasticSlip, 2> now;

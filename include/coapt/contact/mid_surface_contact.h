@@ -109,7 +109,9 @@ namespace coapt
     renew_candidates();
 
     unsigned int
-    find_encounters(const unsigned int i, Encounter (&encounters)[2]);
+    find_encounters(const unsigned int i,
+                    const double within,
+                    Encounter (&encounters)[2]);
 
     bool
     add_impulse(const unsigned int column,
