@@ -80,6 +80,7 @@ namespace coapt
     coarse_cell          = prm.get_double("Coarse cell") * units::millimetre;
     lumen_level          = prm.get_integer("Lumen level");
     leaflet_level        = prm.get_integer("Leaflet level");
+    wall_level           = prm.get_integer("Wall level");
     band                 = prm.get_double("Band");
     levels_coarser_apart = prm.get_integer("Levels coarser apart");
     facing_distance = prm.get_double("Facing distance") * units::millimetre;
@@ -87,7 +88,6 @@ namespace coapt
     flow_jump       = prm.get_double("Flow velocity jump");
     flow_interval   = prm.get_double("Flow interval");
     max_cells       = prm.get_integer("Largest number of cells");
-    wall_level      = prm.get_integer("Wall level");
     prm.leave_subsection();
     if (leaflet_level < lumen_level)
       throw InputError(

@@ -334,6 +334,9 @@ namespace coapt
     result.set("wall_s", cost.wall_seconds);
     result.set("core_hours", cost.wall_seconds * cost.ranks / 3600);
     result.set("energy_error_relative", last.energy_error);
+    if (settings.in_blood && last.works.ends != 0)
+      result.set("work_of_adaptation_relative",
+                 last.works.adaptation / last.works.ends);
     result.set("warnings", warnings);
     return result;
   }

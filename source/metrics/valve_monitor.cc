@@ -170,8 +170,8 @@ namespace coapt
     const std::vector<double> V        = model.system->solid_velocities(y);
     const dealii::RTree<Point<3>> tree = dealii::pack_rtree(surface_points);
     const MeshParameters &mesh         = model.parameters.mesh;
-    const double distance              = model.parameters.valve.thickness +
-      2 * mesh.cell_size(mesh.level_apart());
+    const double distance =
+      model.parameters.valve.thickness + 2 * mesh.cell_size(mesh.level_apart());
     const auto far = [&](const Point<3> &x) {
       std::vector<Point<3>> nearest;
       tree.query(boost::geometry::index::nearest(x, 1),

@@ -1,27 +1,17 @@
 // The generated valve: mesh, labels, fibres, held nodes, chordae, bad input.
 
 #include <coapt/base/exceptions.h>
-#include <coapt/geometry/quadratic_mesh.h>
 #include <coapt/geometry/valve_generator.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <map>
 
-#include "tests.h"
+#include "geometry/mesh_checks.h"
 
 using namespace coapt;
 using namespace dealii;
-
-double
-volume(const SimplexMesh<3> &mesh, const std::array<unsigned int, 4> &cell)
-{
-  const Point<3> &o = mesh.points[cell[0]];
-  return cross_product_3d(mesh.points[cell[1]] - o, mesh.points[cell[2]] - o) *
-    (mesh.points[cell[3]] - o) / 6;
-}
 
 std::vector<double>
 nodal_mass(const SimplexMesh<3> &mesh)
@@ -31,143 +21,6 @@ nodal_mass(const SimplexMesh<3> &mesh)
     for (const unsigned int node : cell)
       mass[node] += 1060 * volume(mesh, cell) / 4;
   return mass;
-}
-
-// Conforming: a face belongs to two cells or, on the surface, to one; the
-// surface is closed and its outward orientation encloses the mesh's volume.
-void
-test_mesh(const std::string &name, const Leaflet &leaflet)
-{
-  const auto &mesh = leaflet.mesh;
-  double least = 1, sum = 0;
-  using Face = std::array<unsigned int, 3>;
-  std::map<Face, std::pair<unsigned int, Face>> faces;
-  for (const auto &cell : mesh.cells)
-    {
-      least = std::min(least, volume(mesh, cell));
-      sum += volume(mesh, cell);
-      constexpr unsigned int outward[4][3] = {{1, 2, 3},
-                                              {0, 3, 2},
-                                              {0, 1, 3},
-                                              {0, 2, 1}};
-      for (const auto &f : outward)
-        {
-          const Face face = {{cell[f[0]], cell[f[1]], cell[f[2]]}};
-          Face sorted     = face;
-          std::sort(sorted.begin(), sorted.end());
-          auto &entry  = faces[sorted];
-          entry.second = face;
-          ++entry.first;
-        }
-    }
-  check(name + " positive tetrahedra", least > 0, least);
-
-  unsigned int most = 0;
-  double enclosed   = 0;
-  std::map<std::pair<unsigned int, unsigned int>, int> edges;
-  for (const auto &face : faces)
-    {
-      most = std::max(most, face.second.first);
-      if (face.second.first != 1)
-        continue;
-      const Face &f = face.second.second;
-      enclosed += Tensor<1, 3>(mesh.points[f[0]]) *
-        cross_product_3d(Tensor<1, 3>(mesh.points[f[1]]),
-                         Tensor<1, 3>(mesh.points[f[2]])) /
-        6;
-      for (unsigned int v = 0; v < 3; ++v)
-        {
-          const unsigned int a = f[v], b = f[(v + 1) % 3];
-          edges[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
-        }
-    }
-  check(name + " conforming", most == 2, most);
-  check(name + " surface closed and oriented",
-        std::all_of(edges.begin(), edges.end(), [](const auto &edge) {
-          return edge.second == 0;
-        }));
-  check_relative(name + " enclosed volume", enclosed, sum, 1e-12);
-}
-
-// Elements of ten nodes: every node is in use, each face belongs to two
-// elements or the surface, the first parts are at the vertices, the nodes of
-// edges lie between those of their ends, and the parts in the quadrilateral
-// they name.
-void
-test_quadratic(ValveParameters valve)
-{
-  valve.quadratic         = true;
-  valve.n_circumferential = 40;
-  valve.n_root_rows       = 2;
-  const Leaflet leaflet   = generate_leaflet(valve);
-  const auto &mesh        = leaflet.mesh;
-  test_mesh("parts of quadratic elements:", leaflet);
-  check("sizes with quadratic elements",
-        mesh.quadratic_cells.size() == 20 * 7 * 6 &&
-          mesh.cells.size() == 8 * mesh.quadratic_cells.size() &&
-          leaflet.cell_quad.size() == mesh.cells.size() &&
-          mesh.n_elements() == mesh.quadratic_cells.size());
-
-  std::vector<bool> used(mesh.points.size(), false);
-  std::map<std::array<unsigned int, 3>, unsigned int> faces;
-  bool at_vertices = true;
-  double off       = 0;
-  for (unsigned int i = 0; i < mesh.quadratic_cells.size(); ++i)
-    {
-      const auto &nodes = mesh.quadratic_cells[i];
-      for (const unsigned int node : nodes)
-        used[node] = true;
-      for (unsigned int a = 0; a < 4; ++a)
-        {
-          const auto &part = mesh.cells[8 * i + a];
-          at_vertices      = at_vertices &&
-            std::find(part.begin(), part.end(), nodes[a]) != part.end();
-          std::array<unsigned int, 3> face;
-          std::remove_copy(nodes.begin(),
-                           nodes.begin() + 4,
-                           face.begin(),
-                           nodes[a]);
-          std::sort(face.begin(), face.end());
-          ++faces[face];
-        }
-      for (unsigned int e = 0; e < 6; ++e)
-        {
-          const Point<3> &a = mesh.points[nodes[tetrahedron_edges[e][0]]];
-          const Point<3> &b = mesh.points[nodes[tetrahedron_edges[e][1]]];
-          const auto middle = 0.5 * (a + b);
-          off               = std::max(off,
-                         middle.distance(mesh.points[nodes[4 + e]]) /
-                           a.distance(b));
-        }
-    }
-  check("every node is in use",
-        std::all_of(used.begin(), used.end(), [](const bool u) { return u; }));
-  check("the first parts are at the vertices", at_vertices);
-  // At a quarter of the edge, the map of the element begins to fold.
-  check("nodes of edges are near their middles", off < 0.25, off);
-  unsigned int outside = 0, most = 0;
-  for (const auto &face : faces)
-    {
-      outside += face.second == 1;
-      most = std::max(most, face.second);
-    }
-  check("quadratic elements conform",
-        most == 2 && outside == 2 * (2 * 20 * 7 + 2 * 20),
-        outside);
-
-  unsigned int elsewhere = 0;
-  for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-    for (const unsigned int node : mesh.cells[c])
-      {
-        const auto &quad = leaflet.quads[leaflet.cell_quad[c]];
-        elsewhere +=
-          std::none_of(quad.begin(), quad.end(), [&](const unsigned int q) {
-            const auto &column = leaflet.columns[q];
-            return std::find(column.begin(), column.end(), node) !=
-              column.end();
-          });
-      }
-  check("parts are in their quadrilaterals", elsewhere == 0, elsewhere);
 }
 
 void
@@ -525,7 +378,6 @@ main(int argc, char **argv)
   valve.n_root_rows = 2;
   test_mesh("three layers:", generate_leaflet(valve));
   valve = ValveParameters();
-  test_quadratic(valve);
   test_labels(valve, generate_leaflet(valve));
   test_pinned(valve);
   test_fibres(valve);

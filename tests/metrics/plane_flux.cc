@@ -2,7 +2,7 @@
 
 #include <coapt/metrics/plane_flux.h>
 
-#include "fluid/fluid_case.h"
+#include "metrics/linear_flow.h"
 
 using namespace coapt;
 using dealii::Point;
@@ -12,24 +12,14 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  // Cells of two sizes.
-  FluidCase<3> fluid({}, {}, Point<3>(), Point<3>(4, 4, 4), {{4, 4, 4}});
-  fluid.set_up(
-    [](const Point<3> &x, const double) { return x[0] < 2 ? 1 : 0; });
+  LinearFlow fluid;
   const auto flux = [&](const Point<3> &point, const Tensor<1, 3> &normal) {
-    std::vector<double> velocity(3 * fluid.op.n_local_nodes());
-    fluid.op.gather(fluid.u.data(), velocity.data());
     return flux_through_plane(fluid.op,
-                              velocity,
+                              fluid.local_velocity(),
                               {point, normal},
                               MPI_COMM_WORLD);
   };
 
-  fluid.set_velocity(
-    [](const Point<3> &x, const int d) {
-      return d == 2 ? 1 + 0.5 * x[0] - 0.25 * x[1] : 0.3 * d;
-    },
-    false);
   // mean of u_z over the box: 1 + 0.5 * 2 - 0.25 * 2
   const Tensor<1, 3> up({0., 0., 1.});
   check_relative("across cells", flux({2, 2, 1.3}, up), 24., 1e-12);
