@@ -10,6 +10,21 @@
 
 namespace coapt
 {
+  namespace
+  {
+    std::vector<Plane>
+    planes(const RunParameters &run)
+    {
+      std::vector<Plane> result;
+      for (const auto &[x, y, z, nx, ny, nz] : run.flow_planes)
+        result.push_back(
+          {dealii::Point<3>(x, y, z), dealii::Tensor<1, 3>({nx, ny, nz})});
+      return result;
+    }
+  } // namespace
+
+
+
   Simulation::Simulation(const SimulationParameters &parameters,
                          Log &log,
                          MPI_Comm communicator)
@@ -17,7 +32,7 @@ namespace coapt
     , log(log)
     , communicator(communicator)
     , model(parameters.model, timing, communicator)
-    , monitor(model)
+    , monitor(model, planes(parameters.run))
     , integrator(
         communicator,
         [this](const double t, const double *y, double *y_dot) {
@@ -236,7 +251,7 @@ namespace coapt
   {
     RunCost cost;
     cost.fluid_cells     = model.n_active_cells();
-    cost.solid_tets      = model.leaflet.mesh.cells.size();
+    cost.solid_tets      = model.leaflet.mesh.n_elements();
     cost.coupling_points = model.points->n_points();
     cost.steps           = integrator.n_steps();
     cost.evaluations     = integrator.n_evaluations();

@@ -157,7 +157,7 @@ namespace coapt
   StructureSimulation::cost() const
   {
     RunCost cost;
-    cost.solid_tets   = valve.leaflet.mesh.cells.size();
+    cost.solid_tets   = valve.leaflet.mesh.n_elements();
     cost.steps        = integrator.n_steps();
     cost.evaluations  = integrator.n_steps();
     cost.wall_seconds = timing.wall_time();

@@ -24,7 +24,8 @@ namespace coapt
                                               "bulging_volume_mL",
                                               "coaptation_area_mm2",
                                               "coaptation_force_N",
-                                              "energy_error_relative"};
+                                              "energy_error_relative",
+                                              "work_of_adaptation_relative"};
 
     double
     change(const double before, const double now)

@@ -1,7 +1,12 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/base/run_parameters.h>
+#include <coapt/base/units.h>
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace coapt
 {
@@ -62,8 +67,44 @@ namespace coapt
                       "traction on each point of the leaflets, mean over each "
                       "Interval, which can drive a run without fluid "
                       "(Structure: Load).");
+    prm.declare_entry(
+      "Flow planes",
+      "",
+      Patterns::List(
+        Patterns::List(Patterns::Double(), 6, 6, ","), 0, 100, ";"),
+      "Planes x, y, z, nx, ny, nz; ... through a point (mm) with a normal (of "
+      "any length). The flow of blood through each within the lumen, along its "
+      "normal, and the same without what the leaflets sweep, which is the leak "
+      "if the normal points to the atrium and the plane does not cut the "
+      "leaflets, are columns of statistics.csv.");
     prm.leave_subsection();
   }
+
+
+
+  namespace
+  {
+    std::vector<std::array<double, 6>>
+    read_planes(const std::string &list)
+    {
+      using namespace dealii::Utilities;
+      std::vector<std::array<double, 6>> planes;
+      for (const std::string &entry : split_string_list(list, ';'))
+        {
+          const std::vector<double> numbers =
+            string_to_double(split_string_list(entry, ','));
+          std::array<double, 6> plane;
+          std::copy(numbers.begin(), numbers.end(), plane.begin());
+          if (std::hypot(plane[3], plane[4], plane[5]) == 0)
+            throw InputError("Output/Flow planes: the plane " + entry +
+                             " has a normal of length zero");
+          for (unsigned int d = 0; d < 3; ++d)
+            plane[d] *= units::millimetre;
+          planes.push_back(plane);
+        }
+      return planes;
+    }
+  } // namespace
 
 
 
@@ -81,6 +122,7 @@ namespace coapt
     output_interval = prm.get_double("Interval");
     fields_interval = prm.get_double("Fields interval");
     surface_load    = prm.get_bool("Surface load");
+    flow_planes     = read_planes(prm.get("Flow planes"));
     prm.leave_subsection();
 
     if (output_folder.empty())

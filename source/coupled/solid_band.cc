@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace coapt
 {
@@ -20,10 +21,16 @@ namespace coapt
   template <int dim>
   void
   SolidBand<dim>::place(const std::vector<Point<dim>> &x,
-                        const std::vector<Point<dim>> &v)
+                        const std::vector<Point<dim>> &v,
+                        const std::vector<bool> &faces)
   {
     const double time = 2e-3, furthest = 1.5 * parameters.finest_cell();
     placed = ahead = x;
+    cell_at.resize(x.size());
+    for (unsigned int q = 0; q < x.size(); ++q)
+      cell_at[q] = faces.empty() || faces[q]
+        ? parameters.finest_cell()
+        : parameters.cell_size(parameters.level_apart());
     for (unsigned int q = 0; q < v.size(); ++q)
       {
         const double way = time * v[q].norm();
@@ -31,24 +38,34 @@ namespace coapt
           ahead[q] += std::min(1., furthest / way) * time * v[q];
       }
 
-    std::vector<Point<dim>> all = x;
-    for (unsigned int q = 0; q < v.size(); ++q)
-      if (ahead[q].distance(x[q]) > 0.1 * parameters.finest_cell())
-        all.push_back(ahead[q]);
-    tree = dealii::pack_rtree(all);
+    std::vector<Point<dim>> near, far;
+    for (unsigned int q = 0; q < x.size(); ++q)
+      {
+        auto &points = cell_at[q] == parameters.finest_cell() ? near : far;
+        points.push_back(x[q]);
+        if (ahead[q].distance(x[q]) > 0.1 * parameters.finest_cell())
+          points.push_back(ahead[q]);
+      }
+    facing = dealii::pack_rtree(near);
+    apart  = dealii::pack_rtree(far);
   }
 
 
 
-  template <int dim>
-  double
-  SolidBand<dim>::distance(const Point<dim> &x) const
+  namespace
   {
-    std::vector<Point<dim>> nearest;
-    tree.query(boost::geometry::index::nearest(x, 1),
-               std::back_inserter(nearest));
-    return x.distance(nearest[0]);
-  }
+    /** Distance (m) of @p x from the nearest of the points. */
+    template <int dim>
+    double
+    distance(const Point<dim> &x, const dealii::RTree<Point<dim>> &points)
+    {
+      std::vector<Point<dim>> nearest;
+      points.query(boost::geometry::index::nearest(x, 1),
+                   std::back_inserter(nearest));
+      return nearest.empty() ? std::numeric_limits<double>::max()
+                             : x.distance(nearest[0]);
+    }
+  } // namespace
 
 
 
@@ -56,8 +73,25 @@ namespace coapt
   bool
   SolidBand<dim>::is_near(const Point<dim> &x) const
   {
-    return !placed.empty() &&
-      distance(x) < (parameters.band + 1) * parameters.finest_cell();
+    const double cells = parameters.band + 1;
+    return distance(x, facing) < cells * parameters.finest_cell() ||
+      distance(x, apart) <
+      cells * parameters.cell_size(parameters.level_apart());
+  }
+
+
+
+  template <int dim>
+  bool
+  SolidBand<dim>::is_in_band(const Point<dim> &center,
+                             const double size,
+                             const Tree &tree,
+                             const unsigned int level) const
+  {
+    const double cell   = parameters.cell_size(level);
+    const double margin = 0.5 * std::sqrt(double(dim)) * (size - cell);
+    return distance(center, tree) <
+      parameters.band * cell + std::max(0., margin);
   }
 
 
@@ -69,18 +103,17 @@ namespace coapt
   {
     const double half_diagonal = 0.5 * std::sqrt(double(dim)) * size;
     // All its nodes are held, also where the root of the solid lies in it.
-    if (lumen && lumen(center) > half_diagonal)
+    const double to_wall =
+      lumen ? lumen(center) : -std::numeric_limits<double>::max();
+    if (to_wall > half_diagonal)
       return 0;
-    if (!placed.empty())
-      {
-        // A larger cell is refined if one of its parts may lie in the band.
-        const double margin =
-          half_diagonal * (1 - parameters.finest_cell() / size);
-        if (distance(center) <
-            parameters.band * parameters.finest_cell() + margin)
-          return parameters.leaflet_level;
-      }
-    return parameters.lumen_level;
+    if (is_in_band(center, size, facing, parameters.leaflet_level))
+      return parameters.leaflet_level;
+    if (is_in_band(center, size, apart, parameters.level_apart()))
+      return parameters.level_apart();
+    return to_wall > -half_diagonal
+      ? std::max(parameters.wall_level, parameters.lumen_level)
+      : parameters.lumen_level;
   }
 
 
@@ -91,17 +124,15 @@ namespace coapt
   {
     // What remains is the half diagonal of the cell that a point lies in, and
     // half a cell.
-    const double allowed =
-      (parameters.band - 0.5 - 0.5 * std::sqrt(double(dim))) *
-      parameters.finest_cell();
+    const double cells = parameters.band - 0.5 - 0.5 * std::sqrt(double(dim));
     for (unsigned int q = 0; q < x.size(); ++q)
       {
         // The nearest point on the way.
         const dealii::Tensor<1, dim> way = ahead[q] - placed[q];
         const double part =
           way * (x[q] - placed[q]) / std::max(way.norm_square(), 1e-30);
-        if (x[q].distance_square(placed[q] + std::clamp(part, 0., 1.) * way) >
-            allowed * allowed)
+        if (x[q].distance(placed[q] + std::clamp(part, 0., 1.) * way) >
+            cells * cell_at[q])
           return true;
       }
     return false;

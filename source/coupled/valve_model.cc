@@ -3,6 +3,7 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/coupled/valve_model.h>
 #include <coapt/geometry/coupling_lattice.h>
+#include <coapt/geometry/facing_parts.h>
 #include <coapt/solid/stability.h>
 
 #include <algorithm>
@@ -108,21 +109,48 @@ namespace coapt
 
 
 
+  namespace
+  {
+    std::vector<unsigned int>
+    nearest_columns(const Leaflet &leaflet,
+                    const std::vector<SamplePoint<3>> &lattice)
+    {
+      std::vector<unsigned int> column_of_node(leaflet.mesh.points.size());
+      for (unsigned int c = 0; c < leaflet.columns.size(); ++c)
+        for (const unsigned int node : leaflet.columns[c])
+          column_of_node[node] = c;
+      std::vector<unsigned int> result;
+      for (const SamplePoint<3> &point : lattice)
+        {
+          const auto largest = std::max_element(point.barycentric.begin(),
+                                                point.barycentric.end());
+          result.push_back(
+            column_of_node[leaflet.mesh
+                             .cells[point.cell]
+                                   [largest - point.barycentric.begin()]]);
+        }
+      return result;
+    }
+  } // namespace
+
+
+
   void
   ValveModel::build_coupling(Timing &timing)
   {
     check_number_of_points();
-    points = std::make_unique<CouplingPoints<3>>(
-      leaflet.mesh,
+    const std::vector<SamplePoint<3>> lattice =
       leaflet_lattice(leaflet,
                       parameters.coupling.spacing *
                         parameters.mesh.finest_cell(),
                       parameters.coupling.expected_stretch,
-                      parameters.coupling.min_layers),
-      communicator);
+                      parameters.coupling.min_layers);
+    points =
+      std::make_unique<CouplingPoints<3>>(leaflet.mesh, lattice, communicator);
+    column_of_point = nearest_columns(leaflet, lattice);
 
     const std::vector<double> X = reference_positions();
-    band.place(points->positions(X.data()));
+    band.place(points->positions(X.data()), {}, facing_points(X));
     work->place(points->positions(X.data()));
     grid->refine_to([this](const Point<3> &center, const double size) {
       return wanted_level(center, size);
@@ -221,9 +249,31 @@ namespace coapt
   ValveModel::wanted_level(const Point<3> &center, const double size) const
   {
     const unsigned int level = band.wanted_level(center, size);
-    return level == parameters.mesh.lumen_level
-      ? flow_indicator.wanted_level(center, size)
-      : level;
+    // Below the lumen's level there is no flow.
+    return level < parameters.mesh.lumen_level
+      ? level
+      : std::max(level, flow_indicator.wanted_level(center, size));
+  }
+
+
+
+  std::vector<bool>
+  ValveModel::facing_points(const std::vector<double> &X) const
+  {
+    if (parameters.mesh.levels_coarser_apart == 0)
+      return {};
+    const auto node = [&X](const unsigned int n) {
+      return Point<3>(X[3 * n], X[3 * n + 1], X[3 * n + 2]);
+    };
+    std::vector<dealii::Tensor<1, 3>> across;
+    for (const auto &column : leaflet.columns)
+      across.push_back(node(column.front()) - node(column.back()));
+    const std::vector<bool> facing =
+      facing_parts(mid_surface(X), across, parameters.mesh.facing_distance);
+    std::vector<bool> result;
+    for (const unsigned int column : column_of_point)
+      result.push_back(facing[column]);
+    return result;
   }
 
 
@@ -231,9 +281,11 @@ namespace coapt
   bool
   ValveModel::adapt(std::vector<double> &y, Log &log)
   {
-    const std::vector<Point<3>> x =
-      points->positions(system->solid_positions(y.data()).data());
-    band.place(x, points->positions(system->solid_velocities(y.data()).data()));
+    const std::vector<double> X   = system->solid_positions(y.data());
+    const std::vector<Point<3>> x = points->positions(X.data());
+    band.place(x,
+               points->positions(system->solid_velocities(y.data()).data()),
+               facing_points(X));
     work->place(x);
     if (parameters.mesh.follows_flow() &&
         flow_indicator.update(*grid,

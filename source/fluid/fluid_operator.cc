@@ -263,6 +263,15 @@ namespace coapt
 
 
   template <int dim>
+  const NodeNumbering<dim> &
+  FluidOperator<dim>::numbering() const
+  {
+    return nodes;
+  }
+
+
+
+  template <int dim>
   const dealii::Point<dim> &
   FluidOperator<dim>::position(const unsigned int owned_node) const
   {
@@ -286,15 +295,6 @@ namespace coapt
     const unsigned int active_cell_index) const
   {
     return index_of_active_cell[active_cell_index];
-  }
-
-
-
-  template <int dim>
-  const dealii::DoFHandler<dim, dim> &
-  FluidOperator<dim>::dof_handler() const
-  {
-    return nodes.dof_handler();
   }
 
 

@@ -5,24 +5,49 @@
 
 namespace coapt
 {
-  QuadraticMesh::QuadraticMesh(const SimplexMesh<3> &mesh) : linear(mesh)
+  void
+  add_quadratic_cell(const std::array<unsigned int, 10> &nodes,
+                     SimplexMesh<3> &mesh)
   {
+    constexpr unsigned int parts[8][4] = {{0, 4, 5, 6},
+                                          {4, 1, 7, 8},
+                                          {5, 7, 2, 9},
+                                          {6, 8, 9, 3},
+                                          {4, 5, 6, 8},
+                                          {4, 7, 5, 8},
+                                          {5, 6, 8, 9},
+                                          {5, 7, 9, 8}};
+    mesh.quadratic_cells.push_back(nodes);
+    for (const auto &part : parts)
+      mesh.cells.push_back(
+        {{nodes[part[0]], nodes[part[1]], nodes[part[2]], nodes[part[3]]}});
+  }
+
+
+
+  SimplexMesh<3>
+  quadratic_mesh(const SimplexMesh<3> &linear)
+  {
+    SimplexMesh<3> mesh;
+    mesh.points = linear.points;
     std::map<std::pair<unsigned int, unsigned int>, unsigned int> middle;
-    for (const auto &cell : mesh.cells)
+    for (const auto &cell : linear.cells)
       {
         std::array<unsigned int, 10> nodes;
         std::copy(cell.begin(), cell.end(), nodes.begin());
         for (unsigned int e = 0; e < 6; ++e)
           {
-            const auto ends = std::minmax(cell[edges[e][0]], cell[edges[e][1]]);
+            const auto ends = std::minmax(cell[tetrahedron_edges[e][0]],
+                                          cell[tetrahedron_edges[e][1]]);
             const auto [place, is_new] =
-              middle.emplace(ends, linear.points.size());
+              middle.emplace(ends, mesh.points.size());
             if (is_new)
-              linear.points.push_back(
+              mesh.points.push_back(
                 0.5 * (mesh.points[ends.first] + mesh.points[ends.second]));
             nodes[4 + e] = place->second;
           }
-        cells.push_back(nodes);
+        add_quadratic_cell(nodes, mesh);
       }
+    return mesh;
   }
 } // namespace coapt

@@ -1,5 +1,6 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/geometry/prestretch.h>
+#include <coapt/geometry/quadratic_mesh.h>
 #include <coapt/geometry/valve_generator.h>
 
 #include <algorithm>
@@ -148,10 +149,88 @@ namespace coapt
         }
     }
 
+    /** Node numbers of the whole valve: around, along the height, through the
+     * thickness. */
+    using LatticePoint = std::array<unsigned int, 3>;
+
+    /** The ten nodes of the tetrahedron that the way along the axes in their
+     * @p order, each by two, spans in the block that begins at @p lower. The
+     * block may be @p mirrored to its middle in the first direction. Ways of
+     * the other sense of rotation change their last two vertices. */
+    std::array<LatticePoint, 10>
+    tetrahedron_in_block(const LatticePoint &lower,
+                         const std::array<unsigned int, 3> &order,
+                         const bool mirrored)
+    {
+      std::array<LatticePoint, 10> point;
+      // Around, along the height and outwards are left-handed.
+      const bool is_right_handed =
+        ((order[1] + 3 - order[0]) % 3 != 1) != mirrored;
+      point[0] = lower;
+      point[0][0] += mirrored ? 2 : 0;
+      for (unsigned int v = 1; v < 4; ++v)
+        {
+          const unsigned int axis = order[v - 1];
+          point[v]                = point[v - 1];
+          point[v][axis]          = 2 * lower[axis] + 2 - point[v][axis];
+        }
+      if (!is_right_handed)
+        std::swap(point[2], point[3]);
+      for (unsigned int e = 0; e < 6; ++e)
+        for (unsigned int d = 0; d < 3; ++d)
+          point[4 + e][d] = (point[tetrahedron_edges[e][0]][d] +
+                             point[tetrahedron_edges[e][1]][d]) /
+            2;
+      return point;
+    }
+
+    /** The quadrilateral in which a linear part of an element at the lattice
+     * points @p corners is. */
+    unsigned int
+    quad_of_part(const Grid &grid,
+                 const std::array<LatticePoint, 10> &points,
+                 const std::array<unsigned int, 10> &nodes,
+                 const std::array<unsigned int, 4> &part)
+    {
+      LatticePoint lowest{{~0u, ~0u, ~0u}};
+      for (const unsigned int node : part)
+        {
+          const unsigned int a =
+            std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
+          for (unsigned int d = 0; d < 3; ++d)
+            lowest[d] = std::min(lowest[d], points[a][d]);
+        }
+      return lowest[0] * (grid.n_rows - 1) + lowest[1];
+    }
+
+    /** The six tetrahedra of ten nodes in the block that begins at @p lower. */
+    void
+    create_block(const Grid &grid, const LatticePoint &lower, Leaflet &leaflet)
+    {
+      const unsigned int n              = grid.valve.n_circumferential;
+      const bool is_left                = (lower[0] + n / 4) % n >= n / 2;
+      std::array<unsigned int, 3> order = {{0, 1, 2}};
+      do
+        {
+          const auto points = tetrahedron_in_block(lower, order, is_left);
+          std::array<unsigned int, 10> nodes;
+          for (unsigned int a = 0; a < 10; ++a)
+            nodes[a] =
+              leaflet
+                .columns[grid.column(points[a][0], points[a][1])][points[a][2]];
+          const std::size_t first = leaflet.mesh.cells.size();
+          add_quadratic_cell(nodes, leaflet.mesh);
+          for (std::size_t i = first; i < leaflet.mesh.cells.size(); ++i)
+            leaflet.cell_quad.push_back(
+              quad_of_part(grid, points, nodes, leaflet.mesh.cells[i]));
+      } while (std::next_permutation(order.begin(), order.end()));
+    }
+
     void
     create_cells(const Grid &grid, Leaflet &leaflet)
     {
-      for (unsigned int i = 0; i < grid.valve.n_circumferential; ++i)
+      const ValveParameters &valve = grid.valve;
+      for (unsigned int i = 0; i < valve.n_circumferential; ++i)
         for (unsigned int j = 0; j + 1 < grid.n_rows; ++j)
           {
             const unsigned int q = leaflet.quads.size();
@@ -160,8 +239,11 @@ namespace coapt
                                       grid.column(i + 1, j + 1),
                                       grid.column(i + 1, j)}});
             leaflet.quad_region.push_back(region(grid, i, j));
-            for (unsigned int k = 0; k < grid.valve.n_layers; ++k)
-              create_brick(q, k, (i + j + k) % 2 == 1, leaflet);
+            for (unsigned int k = 0; k < valve.n_layers; ++k)
+              if (!valve.quadratic)
+                create_brick(q, k, (i + j + k) % 2 == 1, leaflet);
+              else if (i % 2 == 0 && j % 2 == 0 && k % 2 == 0)
+                create_block(grid, {{i, j, k}}, leaflet);
           }
       for (const auto &cell : leaflet.mesh.cells)
         if (!(volume(leaflet.mesh, cell) > 0))

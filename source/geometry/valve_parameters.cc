@@ -289,6 +289,14 @@ namespace coapt
                           Patterns::Integer(entry.smallest, entry.largest),
                           entry.documentation);
       prm.declare_entry(
+        "Element",
+        P().quadratic ? "P2" : "P1",
+        Patterns::Selection("P1|P2"),
+        "Tetrahedra of four nodes (P1) or of ten (P2), which bend better. The "
+        "numbers of elements given here are those between neighbouring nodes: "
+        "an element of ten nodes is as large as two of them in each direction. "
+        "They must be even for P2, around the valve a multiple of eight.");
+      prm.declare_entry(
         "Annulus",
         "straps",
         Patterns::Selection("straps|hinge|clamped"),
@@ -369,6 +377,7 @@ namespace coapt
     annulus_hold           = hold == "straps" ? AnnulusHold::straps
                 : hold == "hinge"             ? AnnulusHold::hinge
                                               : AnnulusHold::clamped;
+    quadratic              = prm.get("Element") == "P2";
     fibre_rule = prm.get("Fibres") == "parallel" ? FibreRule::parallel
                                                  : FibreRule::circumferential;
     prm.leave_subsection();
@@ -400,6 +409,17 @@ namespace coapt
       throw InputError(
         "Valve: a mesh needs at least 8 elements around, 2 along "
         "the height, 1 layer and 1 root row.");
+    for (const IntegerEntry &entry : mesh_entries)
+      {
+        // Around the valve, each quarter begins with an element.
+        const unsigned int divisor =
+          entry.member == &P::n_circumferential ? 8 : 2;
+        if (quadratic && this->*entry.member % divisor != 0)
+          throw InputError(std::string("Valve/") + entry.name + " is " +
+                           text(this->*entry.member) +
+                           ", but must be a multiple of " + text(divisor) +
+                           " where Valve/Element is P2.");
+      }
     for (const RealEntry &entry : shape_entries)
       if (!(this->*entry.member >= entry.smallest * entry.unit * (1 - 1e-9)) &&
           entry.smallest > 0)

@@ -43,6 +43,13 @@ namespace coapt
     if (in_blood)
       add({{"tissue_flow_mL_per_s", s.tissue_flow / millilitre},
            {"reynolds", s.reynolds}});
+    for (unsigned int i = 0; i < s.plane_flow.size(); ++i)
+      {
+        const std::string plane = "plane_" + std::to_string(i + 1);
+        add({{plane + "_flow_mL_per_s", s.plane_flow[i] / millilitre},
+             {plane + "_flow_less_swept_mL_per_s",
+              (s.plane_flow[i] - s.swept_flow) / millilitre}});
+      }
     for (unsigned int c = 0; c < s.chordae_tension.size(); ++c)
       row.emplace_back("chordae_" + name_of(static_cast<ChordaClass>(c)) + "_N",
                        s.chordae_tension[c]);
@@ -329,6 +336,9 @@ namespace coapt
     result.set("wall_s", cost.wall_seconds);
     result.set("core_hours", cost.wall_seconds * cost.ranks / 3600);
     result.set("energy_error_relative", last.energy_error);
+    if (settings.in_blood && last.works.ends != 0)
+      result.set("work_of_adaptation_relative",
+                 last.works.adaptation / last.works.ends);
     result.set("warnings", warnings);
     return result;
   }

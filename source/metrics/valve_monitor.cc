@@ -30,13 +30,15 @@ namespace coapt
 
 
 
-  ValveMonitor::ValveMonitor(ValveModel &model)
+  ValveMonitor::ValveMonitor(ValveModel &model,
+                             const std::vector<Plane> &planes)
     : LeafletMonitor(model,
                      settings_for(model.parameters),
                      std::max(2e-3,
                               model.parameters.contact.clearance +
                                 2 * model.parameters.mesh.finest_cell()))
     , model(model)
+    , planes(planes)
     , audit(*model.system, *model.fluid, *model.solid, *model.points)
     , column_load(model.leaflet.columns.size())
   {
@@ -167,8 +169,9 @@ namespace coapt
     const std::vector<double> u        = model.system->local_velocity(y);
     const std::vector<double> V        = model.system->solid_velocities(y);
     const dealii::RTree<Point<3>> tree = dealii::pack_rtree(surface_points);
-    const double distance              = model.parameters.valve.thickness +
-      2 * model.parameters.mesh.finest_cell();
+    const MeshParameters &mesh         = model.parameters.mesh;
+    const double distance =
+      model.parameters.valve.thickness + 2 * mesh.cell_size(mesh.level_apart());
     const auto far = [&](const Point<3> &x) {
       std::vector<Point<3>> nearest;
       tree.query(boost::geometry::index::nearest(x, 1),
@@ -197,11 +200,13 @@ namespace coapt
   {
     sample.inflow  = -model.fluid->flux(ValveModel::ventricular_end, u.data());
     sample.outflow = model.fluid->flux(ValveModel::atrial_end, u.data());
+    for (const Plane &plane : planes)
+      sample.plane_flow.push_back(
+        flux_through_plane(*model.fluid, u, plane, model.communicator));
 
     // Where leaflets lie side by side, they part ventricle and film, not
     // ventricle and atrium.
-    const std::vector<bool> apposed =
-      coaptation().apposed(model.contact->state().gap);
+    const std::vector<bool> apposed = coaptation().apposed(gaps());
     std::vector<std::array<unsigned int, 3>> parting;
     for (const auto &[a, b, c] : model.surface)
       if (!apposed[a] && !apposed[b] && !apposed[c])

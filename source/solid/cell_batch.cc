@@ -1,46 +1,88 @@
+#include <coapt/geometry/quadratic_mesh.h>
 #include <coapt/solid/cell_batch.h>
-
-#include <algorithm>
 
 namespace coapt
 {
+  using dealii::Tensor;
+
   namespace
   {
-    /** Matrix of the edge vectors from node 0, as columns (m). */
-    template <int dim>
-    dealii::Tensor<2, dim>
-    edges(const SimplexMesh<dim> &mesh, const unsigned int cell)
+    template <int dim, int degree>
+    using Gradients =
+      std::array<Tensor<1, dim>, CellBatch<dim, degree>::n_nodes>;
+
+    /** Gradients of the shape functions at a @p point of the unit simplex. */
+    template <int dim, int degree>
+    Gradients<dim, degree>
+    unit_gradients(const int point)
     {
-      const auto &nodes = mesh.cells[cell];
-      dealii::Tensor<2, dim> E;
-      for (int a = 0; a < dim; ++a)
-        for (int c = 0; c < dim; ++c)
-          E[c][a] = mesh.points[nodes[a + 1]][c] - mesh.points[nodes[0]][c];
-      return E;
+      Gradients<dim, 1> vertex;
+      for (int d = 0; d < dim; ++d)
+        {
+          vertex[d + 1][d] = 1;
+          vertex[0][d]     = -1;
+        }
+      if constexpr (degree == 1)
+        return vertex;
+      else
+        {
+          // The points of degree two for four points in 3D.
+          const auto coordinate = [point](const int a) {
+            return a == point ? 0.58541019662496845 : 0.13819660112501051;
+          };
+          Gradients<dim, degree> result;
+          for (int a = 0; a <= dim; ++a)
+            result[a] = (4 * coordinate(a) - 1) * vertex[a];
+          for (unsigned int e = 0; e < 6; ++e)
+            {
+              const unsigned int a = tetrahedron_edges[e][0];
+              const unsigned int b = tetrahedron_edges[e][1];
+              result[dim + 1 + e] =
+                4 * (coordinate(a) * vertex[b] + coordinate(b) * vertex[a]);
+            }
+          return result;
+        }
     }
 
-    template <int dim>
-    double
-    signed_volume(const SimplexMesh<dim> &mesh, const unsigned int cell)
+    /** Derivative of the position (m) to that in the unit simplex. */
+    template <int dim, int degree>
+    Tensor<2, dim>
+    jacobian(const SimplexMesh<dim> &mesh,
+             const unsigned int number,
+             const Gradients<dim, degree> &gradients)
     {
-      return determinant(edges(mesh, cell)) / (dim == 2 ? 2. : 6.);
+      const auto &nodes = elements<dim, degree>(mesh)[number];
+      Tensor<2, dim> result;
+      for (unsigned int a = 0; a < nodes.size(); ++a)
+        result +=
+          outer_product(Tensor<1, dim>(mesh.points[nodes[a]]), gradients[a]);
+      return result;
+    }
+
+    /** Volume of a point with this @p jacobian. */
+    template <int dim, int degree>
+    double
+    volume(const Tensor<2, dim> &jacobian)
+    {
+      return determinant(jacobian) /
+        ((dim == 2 ? 2 : 6) * CellBatch<dim, degree>::n_points);
     }
 
     /** Sets the directions of the entry @p lane. */
     template <int dim>
     void
-    fill_directions(CellBatch<dim> &batch,
+    fill_directions(Batch (&directions)[dim * dim],
                     const unsigned int lane,
-                    const dealii::Tensor<1, dim> &fibre,
-                    const dealii::Tensor<1, dim> &normal)
+                    const Tensor<1, dim> &fibre,
+                    const Tensor<1, dim> &normal)
     {
-      for (Batch &component : batch.fibre)
+      for (Batch &component : directions)
         component[lane] = 0;
       if (!(fibre.norm() > 0))
         return;
       const auto along = fibre / fibre.norm();
       for (int d = 0; d < dim; ++d)
-        batch.fibre[d][lane] = along[d];
+        directions[d][lane] = along[d];
       if constexpr (dim == 3)
         {
           auto up = normal - (normal * along) * along;
@@ -50,91 +92,130 @@ namespace coapt
           const auto across = cross_product_3d(up, along);
           for (int d = 0; d < 3; ++d)
             {
-              batch.fibre[3 + d][lane] = across[d];
-              batch.fibre[6 + d][lane] = up[d];
+              directions[3 + d][lane] = across[d];
+              directions[6 + d][lane] = up[d];
             }
         }
     }
 
-    /** Sets the entry @p lane of the @p batch to a @p cell. */
-    template <int dim>
+    /** Sets geometry of the entry @p lane of the @p point. */
+    template <int dim, int degree>
     void
-    fill(CellBatch<dim> &batch,
-         const unsigned int lane,
-         const SimplexMesh<dim> &mesh,
-         const unsigned int cell,
-         const dealii::Tensor<1, dim> &fibre,
-         const dealii::Tensor<2, dim> &prestretch,
-         const dealii::Tensor<1, dim> &normal)
+    fill_geometry(typename CellBatch<dim, degree>::Point &point,
+                  const unsigned int lane,
+                  const Tensor<2, dim> &jacobian,
+                  const Gradients<dim, degree> &unit,
+                  const Tensor<2, dim> &prestretch)
     {
-      // Row a of E^-1 is the gradient of node a + 1 relative to the mesh.
-      const auto gradients = invert(edges(mesh, cell)) * prestretch;
-      batch.cell[lane]     = cell;
-      batch.volume[lane]   = signed_volume(mesh, cell);
-      fill_directions(batch, lane, fibre, normal);
-      for (int d = 0; d < dim; ++d)
-        for (int a = 0; a < dim; ++a)
-          batch.gradient[a][d][lane] = gradients[a][d];
-      for (int a = 0; a <= dim; ++a)
-        batch.entry[a][lane] = dim * mesh.cells[cell][a];
+      const auto to_stress_free = invert(jacobian) * prestretch;
+      point.volume[lane]        = volume<dim, degree>(jacobian);
+      for (unsigned int a = 1; a < unit.size(); ++a)
+        {
+          const auto gradient = unit[a] * to_stress_free;
+          for (int d = 0; d < dim; ++d)
+            point.gradient[a - 1][d][lane] = gradient[d];
+        }
     }
   } // namespace
 
-  template <int dim>
-  std::vector<CellBatch<dim>>
+
+
+  template <int dim, int degree>
+  std::vector<CellBatch<dim, degree>>
   build_batches(const SimplexMesh<dim> &mesh,
-                const std::vector<unsigned int> &cells,
-                const std::vector<dealii::Tensor<1, dim>> &fibre,
-                const std::vector<dealii::Tensor<2, dim>> &prestretch,
-                const std::vector<dealii::Tensor<1, dim>> &normal)
+                const std::vector<unsigned int> &numbers,
+                const std::vector<Tensor<1, dim>> &fibre,
+                const std::vector<Tensor<2, dim>> &prestretch,
+                const std::vector<Tensor<1, dim>> &normal)
   {
-    dealii::Tensor<2, dim> identity;
+    using Cells = CellBatch<dim, degree>;
+    Tensor<2, dim> identity;
     for (int d = 0; d < dim; ++d)
       identity[d][d] = 1;
-    std::vector<CellBatch<dim>> batches((cells.size() + batch_size - 1) /
-                                        batch_size);
+    std::vector<Cells> batches((numbers.size() + batch_size - 1) / batch_size);
     for (unsigned int i = 0; i < batches.size() * batch_size; ++i)
       {
-        const bool used         = i < cells.size();
-        const unsigned int cell = used ? cells[i] : cells.back();
-        CellBatch<dim> &batch   = batches[i / batch_size];
-        fill(batch,
-             i % batch_size,
-             mesh,
-             cell,
-             fibre.empty() ? dealii::Tensor<1, dim>() : fibre[cell],
-             prestretch.empty() ? identity : prestretch[cell],
-             normal.empty() ? dealii::Tensor<1, dim>() : normal[cell]);
+        const bool used           = i < numbers.size();
+        const unsigned int number = used ? numbers[i] : numbers.back();
+        const unsigned int lane   = i % batch_size;
+        Cells &batch              = batches[i / batch_size];
+        batch.cell[lane]          = number;
+        for (int a = 0; a < Cells::n_nodes; ++a)
+          batch.entry[a][lane] = dim * elements<dim, degree>(mesh)[number][a];
+        for (int q = 0; q < Cells::n_points; ++q)
+          {
+            const unsigned int cell = Cells::n_parts * number + q;
+            const auto unit         = unit_gradients<dim, degree>(q);
+            fill_geometry<dim, degree>(
+              batch.point[q],
+              lane,
+              jacobian<dim, degree>(mesh, number, unit),
+              unit,
+              prestretch.empty() ? identity : prestretch[cell]);
+            fill_directions<dim>(batch.point[q].fibre,
+                                 lane,
+                                 fibre.empty() ? Tensor<1, dim>() : fibre[cell],
+                                 normal.empty() ? Tensor<1, dim>()
+                                                : normal[cell]);
+            if (!used)
+              batch.point[q].volume[lane] = 0;
+          }
         if (used)
-          batch.n_filled = i % batch_size + 1;
-        else
-          batch.volume[i % batch_size] = 0;
+          batch.n_filled = lane + 1;
       }
     return batches;
+  }
+
+  template <int dim, int degree>
+  std::vector<std::array<double, CellBatch<dim, degree>::n_points>>
+  point_volumes(const SimplexMesh<dim> &mesh)
+  {
+    std::vector<std::array<double, CellBatch<dim, degree>::n_points>> volumes(
+      elements<dim, degree>(mesh).size());
+    for (unsigned int q = 0; q < CellBatch<dim, degree>::n_points; ++q)
+      {
+        const auto unit = unit_gradients<dim, degree>(q);
+        for (unsigned int i = 0; i < volumes.size(); ++i)
+          volumes[i][q] =
+            volume<dim, degree>(jacobian<dim, degree>(mesh, i, unit));
+      }
+    return volumes;
   }
 
   template <int dim>
   std::vector<double>
   signed_volumes(const SimplexMesh<dim> &mesh)
   {
-    std::vector<double> volumes(mesh.cells.size());
-    for (unsigned int i = 0; i < volumes.size(); ++i)
-      volumes[i] = signed_volume(mesh, i);
+    std::vector<double> volumes;
+    for (const auto &volume : point_volumes<dim, 1>(mesh))
+      volumes.push_back(volume[0]);
     return volumes;
   }
 
-  template std::vector<CellBatch<2>>
-  build_batches(const SimplexMesh<2> &,
-                const std::vector<unsigned int> &,
-                const std::vector<dealii::Tensor<1, 2>> &,
-                const std::vector<dealii::Tensor<2, 2>> &,
-                const std::vector<dealii::Tensor<1, 2>> &);
-  template std::vector<CellBatch<3>>
-  build_batches(const SimplexMesh<3> &,
-                const std::vector<unsigned int> &,
-                const std::vector<dealii::Tensor<1, 3>> &,
-                const std::vector<dealii::Tensor<2, 3>> &,
-                const std::vector<dealii::Tensor<1, 3>> &);
+  template std::vector<CellBatch<2, 1>>
+  build_batches<2, 1>(const SimplexMesh<2> &,
+                      const std::vector<unsigned int> &,
+                      const std::vector<Tensor<1, 2>> &,
+                      const std::vector<Tensor<2, 2>> &,
+                      const std::vector<Tensor<1, 2>> &);
+  template std::vector<CellBatch<3, 1>>
+  build_batches<3, 1>(const SimplexMesh<3> &,
+                      const std::vector<unsigned int> &,
+                      const std::vector<Tensor<1, 3>> &,
+                      const std::vector<Tensor<2, 3>> &,
+                      const std::vector<Tensor<1, 3>> &);
+  template std::vector<CellBatch<3, 2>>
+  build_batches<3, 2>(const SimplexMesh<3> &,
+                      const std::vector<unsigned int> &,
+                      const std::vector<Tensor<1, 3>> &,
+                      const std::vector<Tensor<2, 3>> &,
+                      const std::vector<Tensor<1, 3>> &);
+  template std::vector<std::array<double, 1>>
+  point_volumes<2, 1>(const SimplexMesh<2> &);
+  template std::vector<std::array<double, 1>>
+  point_volumes<3, 1>(const SimplexMesh<3> &);
+  template std::vector<std::array<double, 4>>
+  point_volumes<3, 2>(const SimplexMesh<3> &);
   template std::vector<double>
   signed_volumes(const SimplexMesh<2> &);
   template std::vector<double>

@@ -1,29 +1,34 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/solid/partition.h>
 #include <coapt/solid/solid_operator.h>
+#include <coapt/solid/stress_and_strain.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+#include <numeric>
 #include <sstream>
-#include <type_traits>
 
 namespace coapt
 {
   namespace
   {
-    template <int dim>
+    template <int dim, int degree>
     void
-    check_volumes(const SimplexMesh<dim> &mesh,
-                  const std::vector<double> &volumes)
+    check_volumes(const SimplexMesh<dim> &mesh)
     {
-      unsigned int n_bad = 0;
+      const auto volumes  = point_volumes<dim, degree>(mesh);
+      const auto &cells   = elements<dim, degree>(mesh);
+      const auto inverted = [](const double volume) { return !(volume > 0); };
+      unsigned int n_bad  = 0;
       std::ostringstream list;
       for (unsigned int i = 0; i < volumes.size(); ++i)
-        if (!(volumes[i] > 0) && ++n_bad <= 10)
+        if (std::any_of(volumes[i].begin(), volumes[i].end(), inverted) &&
+            ++n_bad <= 10)
           {
             dealii::Point<dim> centre;
-            for (const unsigned int node : mesh.cells[i])
-              centre += mesh.points[node] / (dim + 1.);
+            for (const unsigned int node : cells[i])
+              centre += mesh.points[node] / double(cells[i].size());
             list << (n_bad > 1 ? "; " : "") << i << " at (" << centre * 1e3
                  << ") mm";
           }
@@ -69,19 +74,25 @@ namespace coapt
         }
     }
 
-    template <int dim>
+    template <int dim, int degree>
     std::vector<double>
     lumped_mass(const SimplexMesh<dim> &mesh,
-                const std::vector<double> &volumes,
                 const double density,
                 const std::vector<double> &added)
     {
       std::vector<double> mass(mesh.points.size(), 0.);
       const unsigned int n_own = mass.size() - added.size();
       std::copy(added.begin(), added.end(), mass.begin() + n_own);
+      const auto volumes = point_volumes<dim, degree>(mesh);
       for (unsigned int i = 0; i < volumes.size(); ++i)
-        for (const unsigned int node : mesh.cells[i])
-          mass[node] += density * volumes[i] / (dim + 1);
+        {
+          const double volume =
+            std::accumulate(volumes[i].begin(), volumes[i].end(), 0.);
+          const auto &nodes = elements<dim, degree>(mesh)[i];
+          for (unsigned int a = 0; a < nodes.size(); ++a)
+            mass[nodes[a]] +=
+              density * volume * CellBatch<dim, degree>::mass_share(a);
+        }
       std::ostringstream list;
       unsigned int n_bad = 0;
       for (unsigned int node = 0; node < n_own; ++node)
@@ -93,6 +104,28 @@ namespace coapt
                          " nodes belong to no cell: " + list.str() +
                          (n_bad > 10 ? "; ..." : "") + ".");
       return mass;
+    }
+
+    /** Numbers of the elements that this rank evaluates. */
+    template <int dim, int degree>
+    std::vector<unsigned int>
+    own_elements(const SimplexMesh<dim> &mesh, const MPI_Comm communicator)
+    {
+      if constexpr (degree == 1)
+        return partition_cells(mesh, communicator);
+      else
+        {
+          SimplexMesh<dim> between_vertices;
+          between_vertices.points = mesh.points;
+          for (const auto &nodes : mesh.quadratic_cells)
+            {
+              between_vertices.cells.emplace_back();
+              std::copy_n(nodes.begin(),
+                          dim + 1,
+                          between_vertices.cells.back().begin());
+            }
+          return partition_cells(between_vertices, communicator);
+        }
     }
 
     /** The entry @p lane of a matrix of batches. */
@@ -107,42 +140,16 @@ namespace coapt
       return result;
     }
 
-    /** A deformation gradient in 3D; the strain of a 2D one is plane. */
-    template <int dim>
-    SmallMatrix<3, double>
-    embed(const dealii::Tensor<2, dim> &F)
+    /** Sets what belongs to the cells of an element that are at none of its
+     * vertices to the mean of those which are. */
+    template <typename Cells>
+    void
+    fill_inner(double *of_cells)
     {
-      SmallMatrix<3, double> result{};
-      result[2][2] = 1;
-      for (int i = 0; i < dim; ++i)
-        for (int j = 0; j < dim; ++j)
-          result[i][j] = F[i][j];
-      return result;
-    }
-
-    /** von Mises norm (Pa) of the Cauchy stress P F^T / J. */
-    double
-    von_mises(const SmallMatrix<3, double> &P, const SmallMatrix<3, double> &F)
-    {
-      const double J = determinant(F, cofactors(F));
-      SmallMatrix<3, double> s{};
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          for (int k = 0; k < 3; ++k)
-            s[i][j] += P[i][k] * F[j][k] / J;
-      const double mean = (s[0][0] + s[1][1] + s[2][2]) / 3;
-      for (int i = 0; i < 3; ++i)
-        s[i][i] -= mean;
-      return std::sqrt(1.5 * square_norm(s));
-    }
-
-    /** Largest logarithmic principal strain. */
-    double
-    largest_strain(const SmallMatrix<3, double> &F)
-    {
-      SmallMatrix<3, double> C = right_cauchy_green(F), directions;
-      diagonalise(C, directions);
-      return 0.5 * std::log(std::max({C[0][0], C[1][1], C[2][2]}));
+      const double mean =
+        std::accumulate(of_cells, of_cells + Cells::n_points, 0.) /
+        Cells::n_points;
+      std::fill(of_cells + Cells::n_points, of_cells + Cells::n_parts, mean);
     }
   } // namespace
 
@@ -163,7 +170,6 @@ namespace coapt
     , volumes(signed_volumes(mesh))
     , prestretch(prestretch)
   {
-    check_volumes(mesh, volumes);
     std::visit(
       [&](const auto &law) {
         using Law = std::decay_t<decltype(law)>;
@@ -175,22 +181,59 @@ namespace coapt
           check_size("normals", normal.size(), volumes.size());
       },
       material);
-    nodal_mass = lumped_mass(mesh, volumes, density, added_mass);
-    cells      = partition_cells(mesh, communicator);
-    batches    = build_batches(mesh, cells, fibre, prestretch, normal);
+    if (mesh.quadratic_cells.empty())
+      build<1>(mesh, fibre, normal, added_mass);
+    else if constexpr (dim == 3)
+      build<2>(mesh, fibre, normal, added_mass);
+    viscous_rate = largest_viscous_rate();
+  }
 
-    for (const CellBatch<dim> &batch : batches)
-      {
-        Batch gradients[dim + 1][dim], sum{};
-        batch.all_gradients(gradients);
-        for (const auto &gradient : gradients)
-          for (const Batch &component : gradient)
-            sum += component * component;
-        for (unsigned int lane = 0; lane < batch.n_filled; ++lane)
-          viscous_rate =
-            std::max(viscous_rate, (dim + 1) * viscosity / density * sum[lane]);
-      }
-    viscous_rate = dealii::Utilities::MPI::max(viscous_rate, communicator);
+  template <int dim>
+  template <int degree>
+  void
+  SolidOperator<dim>::build(const SimplexMesh<dim> &mesh,
+                            const std::vector<dealii::Tensor<1, dim>> &fibre,
+                            const std::vector<dealii::Tensor<1, dim>> &normal,
+                            const std::vector<double> &added_mass)
+  {
+    check_volumes<dim, degree>(mesh);
+    nodal_mass = lumped_mass<dim, degree>(mesh, density, added_mass);
+
+    const auto own = own_elements<dim, degree>(mesh, communicator);
+    batches = build_batches<dim, degree>(mesh, own, fibre, prestretch, normal);
+    constexpr unsigned int n_parts = CellBatch<dim, degree>::n_parts;
+    for (const unsigned int element : own)
+      for (unsigned int part = 0; part < n_parts; ++part)
+        cells.push_back(n_parts * element + part);
+  }
+
+  template <int dim>
+  double
+  SolidOperator<dim>::largest_viscous_rate() const
+  {
+    double largest = 0;
+    std::visit(
+      [&](const auto &batches) {
+        for (const auto &batch : batches)
+          {
+            Batch rate{};
+            for (const auto &point : batch.point)
+              {
+                typename std::decay_t<decltype(batch)>::Scaled gradients;
+                Batch sum{};
+                batch.scaled_gradients(point, gradients);
+                for (const auto &group : gradients)
+                  for (const auto &gradient : group)
+                    for (const Batch &component : gradient)
+                      sum += component * component;
+                rate += batch.volume_share(point) * sum;
+              }
+            for (unsigned int lane = 0; lane < batch.n_filled; ++lane)
+              largest = std::max(largest, viscosity / density * rate[lane]);
+          }
+      },
+      batches);
+    return dealii::Utilities::MPI::max(largest, communicator);
   }
 
   template <int dim>
@@ -199,12 +242,13 @@ namespace coapt
   SolidOperator<dim>::with_material(const Function &f) const
   {
     std::visit(
-      [&f](const auto &law) {
+      [&f](const auto &law, const auto &batches) {
         using Law = std::decay_t<decltype(law)>;
         if constexpr (dim == 3 || !Law::is_spatial)
-          f(law);
+          f(law, batches);
       },
-      material);
+      material,
+      batches);
   }
 
   template <int dim>
@@ -227,16 +271,23 @@ namespace coapt
                                  const double *V,
                                  double *F) const
   {
-    with_material([&](const auto &law) {
-      for (const CellBatch<dim> &batch : batches)
+    with_material([&](const auto &law, const auto &batches) {
+      for (const auto &batch : batches)
         {
-          SmallMatrix<dim, Batch> stress =
-            law.first_piola(batch.gradient_of(X), batch.fibre);
-          const SmallMatrix<dim, Batch> rate = batch.gradient_of(V);
-          for (int i = 0; i < dim; ++i)
-            for (int j = 0; j < dim; ++j)
-              stress[i][j] += viscosity * rate[i][j];
-          batch.subtract_divergence(stress, F);
+          typename std::decay_t<decltype(batch)>::Values x, v, force = {};
+          batch.load(X, x);
+          batch.load(V, v);
+          for (const auto &point : batch.point)
+            {
+              SmallMatrix<dim, Batch> stress =
+                law.first_piola(point.gradient_of(x), point.fibre);
+              const SmallMatrix<dim, Batch> rate = point.gradient_of(v);
+              for (int i = 0; i < dim; ++i)
+                for (int j = 0; j < dim; ++j)
+                  stress[i][j] += viscosity * rate[i][j];
+              point.subtract_divergence(stress, force);
+            }
+          batch.add_balanced(force, F);
         }
     });
   }
@@ -249,19 +300,31 @@ namespace coapt
   }
 
   template <int dim>
-  template <typename Law>
+  template <typename Law, typename Cells>
   typename SolidOperator<dim>::StepBound
-  SolidOperator<dim>::local_step_bound(const Law &law, const double *X) const
+  SolidOperator<dim>::local_step_bound(const Law &law,
+                                       const std::vector<Cells> &batches,
+                                       const double *X) const
   {
     StepBound bound;
-    for (const CellBatch<dim> &batch : batches)
+    for (const Cells &batch : batches)
       {
-        Batch gradients[dim + 1][dim];
-        batch.all_gradients(gradients);
-        const auto F      = batch.gradient_of(X);
-        const Batch J     = determinant(F, cofactors(F));
-        const Batch omega = square_root(
-          (dim + 1) / density * law.stiffness_bound(F, batch.fibre, gradients));
+        typename Cells::Values x;
+        batch.load(X, x);
+        Batch square{}, J = Batch{} + bound.min_jacobian;
+        for (const auto &point : batch.point)
+          {
+            typename Cells::Scaled gradients;
+            batch.scaled_gradients(point, gradients);
+            const auto F = point.gradient_of(x);
+            Batch sum{};
+            for (const auto &group : gradients)
+              sum += law.stiffness_bound(F, point.fibre, group);
+            square += batch.volume_share(point) * sum;
+            const Batch here = determinant(F, cofactors(F));
+            J                = here < J ? here : J;
+          }
+        const Batch omega = square_root(square / density);
         for (unsigned int lane = 0; lane < batch.n_filled; ++lane)
           {
             // For MPI's reduction, a NaN is the largest number.
@@ -271,7 +334,7 @@ namespace coapt
             if (value > bound.omega)
               {
                 bound.omega = value;
-                bound.cell  = batch.cell[lane];
+                bound.cell  = Cells::n_parts * batch.cell[lane];
               }
             bound.min_jacobian = std::min(bound.min_jacobian, J[lane]);
           }
@@ -284,7 +347,9 @@ namespace coapt
   SolidOperator<dim>::step_bound(const double *X) const
   {
     StepBound bound;
-    with_material([&](const auto &law) { bound = local_step_bound(law, X); });
+    with_material([&](const auto &law, const auto &batches) {
+      bound = local_step_bound(law, batches, X);
+    });
 
     struct
     {
@@ -307,9 +372,14 @@ namespace coapt
   SolidOperator<dim>::elastic_energy(const double *X) const
   {
     Batch sum{};
-    with_material([&](const auto &law) {
-      for (const CellBatch<dim> &batch : batches)
-        sum += batch.volume * law.energy(batch.gradient_of(X), batch.fibre);
+    with_material([&](const auto &law, const auto &batches) {
+      for (const auto &batch : batches)
+        {
+          typename std::decay_t<decltype(batch)>::Values x;
+          batch.load(X, x);
+          for (const auto &point : batch.point)
+            sum += point.volume * law.energy(point.gradient_of(x), point.fibre);
+        }
     });
     double energy = 0;
     for (unsigned int lane = 0; lane < batch_size; ++lane)
@@ -322,8 +392,17 @@ namespace coapt
   SolidOperator<dim>::viscous_power(const double *V) const
   {
     Batch sum{};
-    for (const CellBatch<dim> &batch : batches)
-      sum += batch.volume * square_norm(batch.gradient_of(V));
+    std::visit(
+      [&](const auto &batches) {
+        for (const auto &batch : batches)
+          {
+            typename std::decay_t<decltype(batch)>::Values v;
+            batch.load(V, v);
+            for (const auto &point : batch.point)
+              sum += point.volume * square_norm(point.gradient_of(v));
+          }
+      },
+      batches);
     double power = 0;
     for (unsigned int lane = 0; lane < batch_size; ++lane)
       power += viscosity * sum[lane];
@@ -351,25 +430,42 @@ namespace coapt
   {
     const auto n_cells = volumes.size();
     std::vector<double> local(3 * n_cells, 0.), global(3 * n_cells);
-    with_material([&](const auto &law) {
-      for (const CellBatch<dim> &batch : batches)
+    const auto evaluate = [&](const auto &law,
+                              const auto &point,
+                              const SmallMatrix<dim, Batch> &gradient,
+                              const unsigned int lane,
+                              const unsigned int cell) {
+      const auto elastic = extract(gradient, lane);
+      const auto total =
+        prestretch.empty() ? elastic : elastic * invert(prestretch[cell]);
+      double fibre[9] = {};
+      for (int d = 0; d < dim * dim; ++d)
+        fibre[d] = point.fibre[d][lane];
+      const auto F              = embed(elastic);
+      local[cell]               = von_mises(law.first_piola(F, fibre), F);
+      local[n_cells + cell]     = largest_strain(embed(total));
+      local[2 * n_cells + cell] = determinant(total);
+    };
+    with_material([&](const auto &law, const auto &batches) {
+      for (const auto &batch : batches)
         {
-          const auto gradient = batch.gradient_of(X);
-          for (unsigned int lane = 0; lane < batch.n_filled; ++lane)
+          using Cells = std::decay_t<decltype(batch)>;
+          typename Cells::Values x;
+          batch.load(X, x);
+          for (int q = 0; q < Cells::n_points; ++q)
             {
-              const unsigned int cell = batch.cell[lane];
-              const auto elastic      = extract(gradient, lane);
-              const auto total        = prestretch.empty()
-                       ? elastic
-                       : elastic * invert(prestretch[cell]);
-              double fibre[9]         = {};
-              for (int d = 0; d < dim * dim; ++d)
-                fibre[d] = batch.fibre[d][lane];
-              const auto F          = embed(elastic);
-              local[cell]           = von_mises(law.first_piola(F, fibre), F);
-              local[n_cells + cell] = largest_strain(embed(total));
-              local[2 * n_cells + cell] = determinant(total);
+              const auto gradient = batch.point[q].gradient_of(x);
+              for (unsigned int lane = 0; lane < batch.n_filled; ++lane)
+                evaluate(law,
+                         batch.point[q],
+                         gradient,
+                         lane,
+                         Cells::n_parts * batch.cell[lane] + q);
             }
+          for (unsigned int lane = 0; lane < batch.n_filled; ++lane)
+            for (unsigned int i = 0; i < 3; ++i)
+              fill_inner<Cells>(
+                &local[i * n_cells + Cells::n_parts * batch.cell[lane]]);
         }
     });
     dealii::Utilities::MPI::sum(local, communicator, global);

@@ -2,7 +2,7 @@
 
 #include <coapt/metrics/surface_flux.h>
 
-#include "fluid/fluid_case.h"
+#include "metrics/linear_flow.h"
 
 using namespace coapt;
 using dealii::Point;
@@ -12,16 +12,8 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  FluidCase<3> fluid({}, {}, Point<3>(), Point<3>(4, 4, 4), {{4, 4, 4}});
-  fluid.set_up(
-    [](const Point<3> &x, const double) { return x[0] < 2 ? 1 : 0; });
-  fluid.set_velocity(
-    [](const Point<3> &x, const int d) {
-      return d == 2 ? 1 + 0.5 * x[0] - 0.25 * x[1] : 0.3 * d;
-    },
-    false);
-  std::vector<double> velocity(3 * fluid.op.n_local_nodes());
-  fluid.op.gather(fluid.u.data(), velocity.data());
+  const LinearFlow fluid;
+  const auto velocity = fluid.local_velocity();
 
   // A plate about z = 2 from (0.5, 1) to (3.5, 2), tilted about its diagonal,
   // with its area vectors to -z.
@@ -34,8 +26,7 @@ main(int argc, char **argv)
   std::vector<Tensor<1, 3>> at_rest(4), with_fluid(4);
   for (unsigned int i = 0; i < 4; ++i)
     for (unsigned int d = 0; d < 3; ++d)
-      with_fluid[i][d] =
-        d == 2 ? 1 + 0.5 * points[i][0] - 0.25 * points[i][1] : 0.3 * d;
+      with_fluid[i][d] = LinearFlow::linear_flow(points[i], d);
   const auto flux = [&](const std::vector<Tensor<1, 3>> &velocities) {
     return flux_through_surface(
       fluid.op, velocity, points, velocities, triangles, MPI_COMM_WORLD);

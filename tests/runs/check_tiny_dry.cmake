@@ -1,4 +1,5 @@
-# Runs tiny_dry.prm of the folder SOURCE with PROGRAM on 1 and 2 ranks, in FOLDER.
+# Runs tiny_dry.prm of the folder SOURCE with PROGRAM on 1 and 2 ranks, in FOLDER,
+# with tetrahedra of the kind ELEMENT.
 # Asserts that all results are there, that nothing speaks of blood, that energy is
 # balanced, and that every column of the statistics is the same on both to 1e-9.
 cmake_minimum_required(VERSION 3.19)
@@ -13,6 +14,10 @@ foreach(ranks 1 2)
   set(folder ${FOLDER}/${ranks})
   file(REMOVE_RECURSE ${folder})
   file(COPY ${SOURCE}/tiny_dry.prm ${SOURCE}/pressure.csv DESTINATION ${folder})
+  if(ELEMENT STREQUAL P2)
+    file(APPEND ${folder}/tiny_dry.prm
+      "subsection Valve\n  set Element = P2\n  set Root rows = 2\nend\n")
+  endif()
   execute_process(COMMAND ${MPIEXEC} -n ${ranks} ${PROGRAM} tiny_dry.prm
     WORKING_DIRECTORY ${folder}
     RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)

@@ -2,7 +2,6 @@
 #define coapt_tests_solid_bricks_h
 
 #include <coapt/geometry/quadratic_mesh.h>
-#include <coapt/solid/quadratic_solid.h>
 #include <coapt/solid/solid_operator.h>
 #include <coapt/time/central_differences.h>
 
@@ -59,19 +58,44 @@ namespace bricks
     return mesh;
   }
 
+  /** Elements of four and of ten nodes on the vertices of a linear mesh. @{ */
+  struct Linear
+  {
+    static SimplexMesh<3>
+    mesh(const SimplexMesh<3> &linear)
+    {
+      return linear;
+    }
+  };
+
+  struct Quadratic
+  {
+    static SimplexMesh<3>
+    mesh(const SimplexMesh<3> &linear)
+    {
+      return quadratic_mesh(linear);
+    }
+  };
+  /** @} */
+
   /** A body with supports and constant forces. */
-  template <typename Solid>
+  template <typename Element>
   struct Body
   {
-    Solid solid;
+    SolidOperator<3> solid;
     std::vector<Point<3>> points;
     std::vector<bool> held;   // by component
     std::vector<double> load; // by component, N
 
-    Body(const SimplexMesh<3> &mesh,
+    /** With one @p fibre everywhere, which may be zero for a material without.
+     */
+    Body(const SimplexMesh<3> &linear,
          const Material &material,
          const double density,
-         const std::vector<Tensor<1, 3>> &fibre = {});
+         const Tensor<1, 3> &fibre = {})
+      : Body(Element::mesh(linear), parameters(material, density), fibre)
+    {
+    }
 
     /** Positions at rest. */
     std::vector<double>
@@ -98,52 +122,42 @@ namespace bricks
      * the forces left over is @p tolerance of that of the load. */
     void
     find_rest(std::vector<double> &X, const double step) const;
+
+  private:
+    Body(const SimplexMesh<3> &mesh,
+         const SolidParameters &parameters,
+         const Tensor<1, 3> &fibre)
+      : solid(mesh,
+              parameters,
+              std::vector<Tensor<1, 3>>(mesh.cells.size(), fibre),
+              {},
+              MPI_COMM_SELF)
+      , points(mesh.points)
+      , held(3 * points.size(), false)
+      , load(3 * points.size(), 0.)
+    {
+    }
+
+    static SolidParameters
+    parameters(const Material &material, const double density)
+    {
+      SolidParameters parameters;
+      parameters.density   = density;
+      parameters.viscosity = 0;
+      if (const auto *hgo = std::get_if<HolzapfelGasserOgden>(&material))
+        parameters.holzapfel_gasser_ogden = *hgo;
+      else
+        {
+          parameters.material    = "neo-Hookean";
+          parameters.neo_hookean = std::get<NeoHookean>(material);
+        }
+      return parameters;
+    }
   };
 
-  template <>
-  inline Body<SolidOperator<3>>::Body(const SimplexMesh<3> &mesh,
-                                      const Material &material,
-                                      const double density,
-                                      const std::vector<Tensor<1, 3>> &fibre)
-    : solid(
-        mesh,
-        [&]() {
-          SolidParameters parameters;
-          parameters.density   = density;
-          parameters.viscosity = 0;
-          if (const auto *hgo = std::get_if<HolzapfelGasserOgden>(&material))
-            parameters.holzapfel_gasser_ogden = *hgo;
-          else
-            {
-              parameters.material    = "neo-Hookean";
-              parameters.neo_hookean = std::get<NeoHookean>(material);
-            }
-          return parameters;
-        }(),
-        fibre,
-        {},
-        MPI_COMM_SELF)
-    , points(mesh.points)
-    , held(3 * points.size(), false)
-    , load(3 * points.size(), 0.)
-  {
-  }
-
-  template <>
-  inline Body<QuadraticSolid>::Body(const SimplexMesh<3> &mesh,
-                                    const Material &material,
-                                    const double density,
-                                    const std::vector<Tensor<1, 3>> &fibre)
-    : solid(QuadraticMesh(mesh), material, density, 0., fibre, MPI_COMM_SELF)
-    , points(QuadraticMesh(mesh).linear.points)
-    , held(3 * points.size(), false)
-    , load(3 * points.size(), 0.)
-  {
-  }
-
-  template <typename Solid>
+  template <typename Element>
   void
-  Body<Solid>::find_rest(std::vector<double> &X, const double step) const
+  Body<Element>::find_rest(std::vector<double> &X, const double step) const
   {
     std::vector<double> V(X.size(), 0.), A(X.size());
     double before = 0, highest = 0;

@@ -18,21 +18,21 @@ namespace
 
   /** Longest stable step over that of the stiffest element alone, whose bound
    * is a sum over all its nodes and points. */
-  template <typename Solid>
+  template <typename Element>
   constexpr double softness = 1.5;
   template <>
-  constexpr double softness<QuadraticSolid> = 2.;
+  constexpr double softness<Quadratic> = 2.;
 
-  template <typename Solid>
+  template <typename Element>
   const char *name = "P1";
   template <>
-  const char *name<QuadraticSolid> = "P2";
+  const char *name<Quadratic> = "P2";
 
-  template <typename Solid>
+  template <typename Element>
   double
-  estimated_step(const Solid &solid, const std::vector<double> &X)
+  estimated_step(const Body<Element> &body, const std::vector<double> &X)
   {
-    return softness<Solid> * 2 / solid.max_frequency(X.data());
+    return softness<Element> * 2 / body.solid.max_frequency(X.data());
   }
 
   double
@@ -51,7 +51,7 @@ namespace
   }
 
   /** A linear map of all nodes leaves no force inside. */
-  template <typename Solid>
+  template <typename Element>
   void
   patch_test()
   {
@@ -62,7 +62,7 @@ namespace
                       1e-3 * (x[1] - 3 * inside),
                       1e-3 * (x[2] + 2 * inside));
     });
-    const Body<Solid> body(mesh, neo_hookean(4e3, 0.45), 1060);
+    const Body<Element> body(mesh, neo_hookean(4e3, 0.45), 1060);
     std::vector<double> X = body.positions(), F(X.size(), 0.),
                         rest(X.size(), 0.);
     for (unsigned int i = 0; i < X.size(); i += 3)
@@ -82,14 +82,14 @@ namespace
         if (inner)
           inside = std::max(inside, std::abs(F[i]));
       }
-    check(std::string(name<Solid>) + ", patch test",
+    check(std::string(name<Element>) + ", patch test",
           inside < 1e-11 * largest(F),
           inside);
   }
 
   /** Cook's membrane in plane strain, neo-Hookean, 1 N for each mm of depth:
    * rise of the upper corner (m) with n x n bricks. */
-  template <typename Solid>
+  template <typename Element>
   double
   cook(const unsigned int n, const double nu)
   {
@@ -100,7 +100,7 @@ namespace
                       mm * ((1 - x[1]) * bottom + x[1] * top),
                       48 * mm / n * x[2]);
     });
-    Body<Solid> body(mesh, neo_hookean(422.5e3, nu), 1000);
+    Body<Element> body(mesh, neo_hookean(422.5e3, nu), 1000);
 
     // 1 N for each mm of depth, by levels of the edge: in the middle of an
     // element of ten nodes with Simpson's weight.
@@ -128,7 +128,7 @@ namespace
       }
 
     std::vector<double> X = body.positions();
-    body.find_rest(X, 0.6 * estimated_step(body.solid, X));
+    body.find_rest(X, 0.6 * estimated_step(body, X));
     const unsigned int corner = levels.rbegin()->second.front();
     const unsigned int middle =
       std::next(levels.begin(), levels.size() / 2)->second.front();
@@ -138,17 +138,17 @@ namespace
     return X[3 * corner + 1] - body.points[corner][1];
   }
 
-  template <typename Solid>
+  template <typename Element>
   std::vector<double>
   cook_series(const double nu)
   {
     std::vector<double> rise;
-    figures << "Cook, nu " << nu << ", " << name<Solid> << ":";
+    figures << "Cook, nu " << nu << ", " << name<Element> << ":";
     for (const unsigned int n : {2, 4, 8, 16})
       {
-        if (n == 16 && std::is_same<Solid, QuadraticSolid>::value)
+        if (n == 16 && std::is_same<Element, Quadratic>::value)
           break;
-        rise.push_back(1e3 * cook<Solid>(n, nu));
+        rise.push_back(1e3 * cook<Element>(n, nu));
         figures << "  " << n << ": " << rise.back() << " mm";
       }
     figures << std::endl;
@@ -157,22 +157,22 @@ namespace
 
   /** A strip of tissue's thickness 1 mm, 12 mm long and 2 mm wide, held at one
    * end. */
-  template <typename Solid>
-  struct Strip : Body<Solid>
+  template <typename Element>
+  struct Strip : Body<Element>
   {
     static constexpr double length = 12e-3, width = 2e-3, thickness = 1e-3,
                             mu = 5e3;
-    using Body<Solid>::points;
+    using Body<Element>::points;
 
     Strip(const unsigned int n_layers, const double nu)
-      : Body<Solid>(box({{10, 2, n_layers}},
-                        [](const Point<3> &x) {
-                          return Point<3>(length * x[0],
-                                          width * (x[1] - 0.5),
-                                          thickness * (x[2] - 0.5));
-                        }),
-                    neo_hookean(mu, nu),
-                    1060)
+      : Body<Element>(box({{10, 2, n_layers}},
+                          [](const Point<3> &x) {
+                            return Point<3>(length * x[0],
+                                            width * (x[1] - 0.5),
+                                            thickness * (x[2] - 0.5));
+                          }),
+                      neo_hookean(mu, nu),
+                      1060)
     {
       for (unsigned int node = 0; node < points.size(); ++node)
         if (points[node][0] < 1e-9)
@@ -206,11 +206,11 @@ namespace
   };
 
   /** Deflection of a strip over that of a beam with its shear deformation. */
-  template <typename Solid>
+  template <typename Element>
   double
   bending(const unsigned int n_layers, const double nu)
   {
-    using S = Strip<Solid>;
+    using S = Strip<Element>;
     S strip(n_layers, nu);
     const double E = 2 * S::mu * (1 + nu);
     const double I = S::width * std::pow(S::thickness, 3) / 12;
@@ -224,27 +224,27 @@ namespace
     for (const unsigned int node : strip.end())
       strip.load[3 * node + 2] = force * strip.solid.mass()[node] / mass;
     std::vector<double> X = strip.positions();
-    strip.find_rest(X, 0.6 * estimated_step(strip.solid, X));
+    strip.find_rest(X, 0.6 * estimated_step(strip, X));
     const double ratio = strip.deflection(X) / (force * unit);
-    figures << "bending, nu " << nu << ", " << name<Solid> << ", " << n_layers
+    figures << "bending, nu " << nu << ", " << name<Element> << ", " << n_layers
             << " layers: " << ratio << " of the beam's deflection" << std::endl;
     return ratio;
   }
 
   /** Torque of a square bar over Saint-Venant's. */
-  template <typename Solid>
+  template <typename Element>
   double
   torsion()
   {
     const double a = 1e-3, length = 6e-3, mu = 5e3, twist = 0.02;
-    Body<Solid> bar(box({{12, 2, 2}},
-                        [&](const Point<3> &x) {
-                          return Point<3>(length * x[0],
-                                          a * (x[1] - 0.5),
-                                          a * (x[2] - 0.5));
-                        }),
-                    neo_hookean(mu, 0.3),
-                    1060);
+    Body<Element> bar(box({{12, 2, 2}},
+                          [&](const Point<3> &x) {
+                            return Point<3>(length * x[0],
+                                            a * (x[1] - 0.5),
+                                            a * (x[2] - 0.5));
+                          }),
+                      neo_hookean(mu, 0.3),
+                      1060);
     std::vector<double> X = bar.positions();
     for (unsigned int node = 0; node < bar.points.size(); ++node)
       {
@@ -256,7 +256,7 @@ namespace
         X[3 * node + 1]    = std::cos(angle) * p[1] - std::sin(angle) * p[2];
         X[3 * node + 2]    = std::sin(angle) * p[1] + std::cos(angle) * p[2];
       }
-    bar.find_rest(X, 0.6 * estimated_step(bar.solid, X));
+    bar.find_rest(X, 0.6 * estimated_step(bar, X));
     std::vector<double> F(X.size(), 0.), rest(X.size(), 0.);
     bar.solid.add_forces(X.data(), rest.data(), F.data());
     double torque = 0;
@@ -266,17 +266,17 @@ namespace
           X[3 * node + 1] * F[3 * node + 2] - X[3 * node + 2] * F[3 * node + 1];
     const double ratio =
       torque / (mu * 0.140577 * std::pow(a, 4) * twist / length);
-    figures << "torsion, " << name<Solid> << ": " << ratio
+    figures << "torsion, " << name<Element> << ": " << ratio
             << " of Saint-Venant's torque" << std::endl;
     return ratio;
   }
 
   /** Frequency of a strip set free, over that of a beam. */
-  template <typename Solid>
+  template <typename Element>
   double
   oscillation(const unsigned int n_layers)
   {
-    using S         = Strip<Solid>;
+    using S         = Strip<Element>;
     const double nu = 0.3;
     S strip(n_layers, nu);
     std::vector<double> state = strip.positions();
@@ -298,7 +298,7 @@ namespace
       0.,
       nullptr);
     integrator.start(0., state);
-    const double step = 0.7 * estimated_step(strip.solid, strip.positions());
+    const double step = 0.7 * estimated_step(strip, strip.positions());
     const double beam = root * root *
       std::sqrt(2 * S::mu * (1 + nu) * S::thickness * S::thickness / 12 /
                 1060) /
@@ -316,20 +316,20 @@ namespace
       }
     const double ratio = 3.14159265 * (passed.size() - 1) /
       (passed.back() - passed.front()) / beam;
-    figures << "oscillation, " << name<Solid> << ", " << n_layers
+    figures << "oscillation, " << name<Element> << ", " << n_layers
             << " layers: " << ratio << " of the beam's frequency" << std::endl;
     return ratio;
   }
 
   /** Momentum and energy of a free body over 10^4 steps. */
-  template <typename Solid>
+  template <typename Element>
   void
   conservation()
   {
     const auto mesh = box({{3, 2, 2}}, [](const Point<3> &x) {
       return Point<3>(3e-3 * x[0], 2e-3 * x[1], 1e-3 * x[2]);
     });
-    const Body<Solid> body(mesh, neo_hookean(5e3, 0.45), 1060);
+    const Body<Element> body(mesh, neo_hookean(5e3, 0.45), 1060);
     std::vector<double> state = body.positions();
     const unsigned int n      = state.size();
     std::mt19937 generator(7);
@@ -354,7 +354,7 @@ namespace
       0.,
       nullptr);
     integrator.start(0., state);
-    const double step = 0.1 * estimated_step(body.solid, body.positions());
+    const double step = 0.1 * estimated_step(body, body.positions());
     double first = 0, last = 0;
     for (unsigned int k = 0; k < 10000; ++k)
       {
@@ -371,20 +371,20 @@ namespace
     for (unsigned int i = 0; i < n; ++i)
       later[i % 3] += body.solid.mass()[i / 3] * state[n + i];
     const double drift = std::abs(last / first - 1);
-    figures << "energy, " << name<Solid> << ": relative drift " << drift
+    figures << "energy, " << name<Element> << ": relative drift " << drift
             << " in 10^4 steps; momentum " << (later - momentum).norm() / scale
             << std::endl;
-    check(std::string(name<Solid>) + ", momentum",
+    check(std::string(name<Element>) + ", momentum",
           (later - momentum).norm() < 1e-11 * scale);
-    check(std::string(name<Solid>) + ", energy", drift < 1e-6, drift);
+    check(std::string(name<Element>) + ", energy", drift < 1e-6, drift);
   }
 
   /** Whether a body of HGO that is held stretched by constant forces stays
    * there when it is disturbed: for so few steps that only an instability of
    * the method shows, not one of the body under forces that do not follow. */
-  template <typename Solid>
+  template <typename Element>
   bool
-  is_stable(const Body<Solid> &body,
+  is_stable(const Body<Element> &body,
             const std::vector<double> &X0,
             const double step)
   {
@@ -414,18 +414,14 @@ namespace
   }
 
   /** Stable step found by bisection over the code's estimate. */
-  template <typename Solid>
+  template <typename Element>
   double
   stable_step(const double stretch)
   {
     const auto mesh = box({{2, 2, 2}}, [](const Point<3> &x) {
       return Point<3>(2e-3 * x[0], 2e-3 * x[1], 1e-3 * x[2]);
     });
-    Body<Solid> body(mesh,
-                     tissue(),
-                     1060,
-                     std::vector<Tensor<1, 3>>(mesh.cells.size(),
-                                               Point<3>(1, 0, 0)));
+    Body<Element> body(mesh, tissue(), 1060, Point<3>(1, 0, 0));
     std::vector<double> X = body.positions(), rest(X.size(), 0.),
                         F(X.size(), 0.);
     for (unsigned int i = 0; i < X.size(); i += 3)
@@ -437,33 +433,33 @@ namespace
     body.solid.add_forces(X.data(), rest.data(), F.data());
     for (unsigned int i = 0; i < F.size(); ++i)
       body.load[i] = -F[i];
-    const double estimate = estimated_step(body.solid, X);
+    const double estimate = estimated_step(body, X);
     double low = 0.5 * estimate, high = 3 * estimate;
     for (unsigned int i = 0; i < 8; ++i)
       (is_stable(body, X, 0.5 * (low + high)) ? low : high) =
         0.5 * (low + high);
-    figures << "stable step, " << name<Solid> << ", stretch " << stretch << ": "
-            << low / estimate << " of the estimate" << std::endl;
+    figures << "stable step, " << name<Element> << ", stretch " << stretch
+            << ": " << low / estimate << " of the estimate" << std::endl;
     return low / estimate;
   }
 
-  template <typename Solid>
+  template <typename Element>
   void
   check_all()
   {
-    const std::string who = std::string(name<Solid>) + ", ";
-    const bool quadratic  = std::is_same<Solid, QuadraticSolid>::value;
-    patch_test<Solid>();
-    conservation<Solid>();
+    const std::string who = std::string(name<Element>) + ", ";
+    const bool quadratic  = std::is_same<Element, Quadratic>::value;
+    patch_test<Element>();
+    conservation<Element>();
     for (const double stretch : {1., 1.1, 1.2})
       {
-        const double ratio = stable_step<Solid>(stretch);
+        const double ratio = stable_step<Element>(stretch);
         check(who + "stable step at stretch " + std::to_string(stretch),
               std::abs(ratio - 1) < 0.2,
               ratio);
       }
-    const auto compressible = cook_series<Solid>(0.3);
-    const auto nearly       = cook_series<Solid>(0.4999);
+    const auto compressible = cook_series<Element>(0.3);
+    const auto nearly       = cook_series<Element>(0.4999);
     const double change     = compressible.back() / compressible.end()[-2] - 1;
     check(who + "Cook, compressible, converges",
           change > 0 && change < (quadratic ? 0.005 : 0.06),
@@ -471,7 +467,7 @@ namespace
     check(who + "Cook, nearly incompressible, is stiffer",
           nearly.back() < compressible.back(),
           nearly.back());
-    const double twist = torsion<Solid>();
+    const double twist = torsion<Element>();
     check(who + "torsion",
           twist > 1 && twist < (quadratic ? 1.05 : 2.1),
           twist);
@@ -482,16 +478,16 @@ int
 main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  check_all<SolidOperator<3>>();
-  check_all<QuadraticSolid>();
+  check_all<Linear>();
+  check_all<Quadratic>();
   for (const double nu : {0.3, 0.4975})
     {
       for (const unsigned int n_layers : {1, 2, 3})
-        bending<SolidOperator<3>>(n_layers, nu);
-      const double ratio = bending<QuadraticSolid>(1, nu);
+        bending<Linear>(n_layers, nu);
+      const double ratio = bending<Quadratic>(1, nu);
       check("P2, one layer bends as a beam", std::abs(ratio - 1) < 0.07, ratio);
     }
-  oscillation<SolidOperator<3>>(2);
-  const double frequency = oscillation<QuadraticSolid>(1);
+  oscillation<Linear>(2);
+  const double frequency = oscillation<Quadratic>(1);
   check("P2, frequency of a strip", std::abs(frequency - 1) < 0.01, frequency);
 }

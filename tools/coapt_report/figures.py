@@ -89,7 +89,9 @@ GROUPS = (
         Row("Time steps", "steps", "", "{:,.0f}"),
         Row("Core hours", "core_hours", "h", "{:.2f}"),
         Row("Error of the energy balance", "energy_error_relative", "%",
-            "{:.2f}", 100))))
+            "{:.2f}", 100),
+        Row("Energy that adaptation has changed", "work_of_adaptation_relative",
+            "%", "{:.2f}", 100))))
 
 
 KEY_FIGURES = (

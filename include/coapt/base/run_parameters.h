@@ -1,7 +1,9 @@
 #ifndef coapt_base_run_parameters_h
 #define coapt_base_run_parameters_h
 
+#include <array>
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -28,6 +30,10 @@ namespace coapt
     /** Whether to write the load of the blood on the leaflets at each output
      * interval. */
     bool surface_load = false;
+
+    /** Planes through which the flow of blood is measured: a point (m), and a
+     * normal of any length. */
+    std::vector<std::array<double, 6>> flow_planes;
 
     /** Folder for all results. */
     std::string output_folder = "output";

@@ -16,8 +16,17 @@ namespace coapt
     unsigned int lumen_level   = 2;
     unsigned int leaflet_level = 3;
 
+    /** Level of the cells that the wall of the lumen cuts, if it is above the
+     * lumen's. */
+    unsigned int wall_level = 0;
+
     /** Half width of the band around the leaflet, in its cells. */
     double band = 2.5;
+
+    /** By how many levels the band is coarser where no other part of the
+     * leaflet is within the facing distance (m). */
+    unsigned int levels_coarser_apart = 0;
+    double facing_distance            = 4e-3;
 
     /** Deepest level of cells that are refined for the flow; none are if it is
      * not above the lumen's. */
@@ -45,6 +54,13 @@ namespace coapt
     cell_size(const unsigned int level) const
     {
       return coarse_cell / (1u << level);
+    }
+
+    /** Level of the band where no other part of the leaflet is near. */
+    unsigned int
+    level_apart() const
+    {
+      return leaflet_level - levels_coarser_apart;
     }
 
     /** Edge of the finest cell (m). */

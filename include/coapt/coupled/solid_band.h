@@ -14,7 +14,9 @@ namespace coapt
 {
   /**
    * The refinement that follows the solid: the finest level within a band
-   * around it, the lumen's level elsewhere, no refinement outside the lumen.
+   * around what faces other parts of the solid, the level of parts that are
+   * apart within a band around the rest, the level of the wall where it cuts
+   * cells, the lumen's level elsewhere, and no refinement outside the lumen.
    */
   template <int dim>
   class SolidBand
@@ -30,10 +32,13 @@ namespace coapt
      * enough to each other to leave no gap, and around where they will be with
      * the velocities @p v (m/s), at most 1.5 finest cells further: a moving
      * solid takes longer to use up its band. Without velocities it rests.
+     * @p faces says of each point whether it faces another part; all do
+     * if it is empty.
      */
     void
     place(const std::vector<dealii::Point<dim>> &x,
-          const std::vector<dealii::Point<dim>> &v = {});
+          const std::vector<dealii::Point<dim>> &v = {},
+          const std::vector<bool> &faces           = {});
 
     /** Level that a cell of this @p center and @p size (m) is to have. */
     unsigned int
@@ -49,14 +54,21 @@ namespace coapt
     is_used_up(const std::vector<dealii::Point<dim>> &x) const;
 
   private:
-    /** Distance (m) of @p x from the solid. */
-    double
-    distance(const dealii::Point<dim> &x) const;
+    using Tree = dealii::RTree<dealii::Point<dim>>;
+
+    /** Whether a cell is within the band of cells of a level around the points
+     * of @p tree, or one of its parts may be. */
+    bool
+    is_in_band(const dealii::Point<dim> &center,
+               const double size,
+               const Tree &tree,
+               const unsigned int level) const;
 
     MeshParameters parameters;
     std::function<double(const dealii::Point<dim> &)> lumen;
     std::vector<dealii::Point<dim>> placed, ahead;
-    dealii::RTree<dealii::Point<dim>> tree;
+    std::vector<double> cell_at; // size of the cells around each point
+    Tree facing, apart;
   };
 } // namespace coapt
 

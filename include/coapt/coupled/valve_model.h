@@ -116,9 +116,17 @@ namespace coapt
     std::function<double(const dealii::Point<3> &)>
     distance_to_wall() const;
 
+    /** Whether the part of the leaflet at each coupling point faces another
+     * one, at the nodal positions @p X (m); empty if this does not matter. */
+    std::vector<bool>
+    facing_points(const std::vector<double> &X) const;
+
     /** Level that a cell is to have. */
     unsigned int
     wanted_level(const dealii::Point<3> &center, const double size) const;
+
+    /** Column that is nearest to each coupling point. */
+    std::vector<unsigned int> column_of_point;
 
     SolidBand<3> band;
     FlowIndicator<3> flow_indicator;

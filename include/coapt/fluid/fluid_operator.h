@@ -191,6 +191,10 @@ namespace coapt
     bool
     is_driven_node(const unsigned int local_node) const;
 
+    /** Numbers and hanging nodes. */
+    const NodeNumbering<dim> &
+    numbering() const;
+
     /** Position (m) of an owned node. */
     const dealii::Point<dim> &
     position(const unsigned int owned_node) const;
@@ -202,10 +206,6 @@ namespace coapt
     /** Number of the owned cell with this active_cell_index in deal.II. */
     unsigned int
     owned_cell_index(const unsigned int active_cell_index) const;
-
-    /** The scalar Q1 space of the velocity components. */
-    const dealii::DoFHandler<dim, dim> &
-    dof_handler() const;
 
     /** The parameters. */
     const FluidParameters &

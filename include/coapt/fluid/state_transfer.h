@@ -1,6 +1,8 @@
 #ifndef coapt_fluid_state_transfer_h
 #define coapt_fluid_state_transfer_h
 
+#include <coapt/fluid/nodal_gradients.h>
+
 #include <deal.II/distributed/tria.h>
 
 #include <boost/range/iterator_range.hpp>
@@ -17,6 +19,18 @@ namespace coapt
    * Carries velocity and pressure of the fluid from one octree to the next,
    * across ranks: constructed before the octree changes, unpacked
    * after it and after the operator has been set up anew.
+   *
+   * Pressures are handed down and averaged. Where cells are joined,
+   * velocities are kept at the nodes that stay. At the nodes that appear where
+   * a cell is divided, they come from the corners of the edge, face, or cell
+   * in whose middle x the node is, with velocities u_m and gradients G_m:
+   *
+   *   u = 1/n sum_m [u_m + a G_m (x - x_m)/2].
+   *
+   * This is linear interpolation for a = 0 and cubic Hermite interpolation for
+   * a = 1. The first takes kinetic energy from every curved profile, the
+   * second overshoots at kinks: a is chosen in [0, 1] so that the kinetic
+   * energy stays as it is.
    */
   template <int dim>
   class StateTransfer
@@ -39,35 +53,55 @@ namespace coapt
     using Cell          = typename Triangulation::cell_iterator;
     using Status        = typename Triangulation::CellStatus;
 
-    /** What is known of one cell. */
+    /** What is known of one cell, corner by corner. */
     struct CellState
     {
-      std::array<double, dim * n_corners> velocity; // corner by corner
+      std::array<double, dim * n_corners> velocity;
+      std::array<double, dim * n_corners> correction; // for a = 1
       double pressure;
     };
+
+    /** The correction (m/s) in the middle of the nodes @p corners. */
+    std::array<double, dim>
+    correction_between(const std::vector<unsigned int> &corners) const;
+
+    /** Gives the hanging nodes the correction that they have if the larger
+     * cell beside them is divided, so that all cells know the same. */
+    void
+    correct_hanging_nodes();
+
+    /** The factor a for the velocities after the change. Collective. */
+    double
+    energy_keeping_factor() const;
 
     /** The state of an active cell of this rank. */
     CellState
     state_of(const Cell &cell) const;
 
-    /** The state of a cell that will be active after the change. */
+    /** The state of a cell made from its children. */
     CellState
-    packed_state(const Cell &cell, const Status status) const;
+    state_of_children(const Cell &cell) const;
+
+    /** The state of child @p child of an active cell of this rank. */
+    CellState
+    state_of_child(const Cell &cell, const unsigned int child) const;
+
+    /** The states of the cells that come from one, in the order of children. */
+    std::vector<CellState>
+    packed_states(const Cell &cell, const Status status) const;
 
     /** Writes the state of an active cell of this rank. */
     void
     set_state(const Cell &cell, const CellState &state);
 
-    /** Writes the state of a cell that came with the octree. */
-    void
-    set_packed_state(const Cell &cell,
-                     const Status status,
-                     const CellState &state);
-
     Triangulation &octree;
     const FluidOperator<dim> &op;
-    std::vector<double> velocity; // local
-    std::vector<double> pressure; // owned
+    double kinetic_energy;          // J, before the change
+    std::vector<double> velocity;   // local
+    NodalGradients<dim> gradients;  // local
+    std::vector<double> position;   // local, laid out like the velocity
+    std::vector<double> correction; // local, like the velocity
+    std::vector<double> pressure;   // owned
     unsigned int handle;
   };
 } // namespace coapt

@@ -4,30 +4,25 @@
 #include <coapt/geometry/simplex_mesh.h>
 
 #include <array>
-#include <vector>
 
 namespace coapt
 {
-  /**
-   * Tetrahedra of ten nodes with straight edges: those of a linear mesh, which
-   * come first, and one in the middle of each edge.
-   */
-  struct QuadraticMesh
-  {
-    /** The vertices, by their numbers in the list, of the edge of each node
-     * beyond the fourth. */
-    static constexpr unsigned int edges[6][2] =
-      {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+  /** Vertices of the edge of each node of a ten-noded tetrahedron beyond the
+   * fourth. */
+  constexpr unsigned int tetrahedron_edges[6][2] =
+    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
-    /** The mesh of ten-noded tetrahedra on the vertices of a linear @p mesh. */
-    explicit QuadraticMesh(const SimplexMesh<3> &mesh);
+  /** Appends a tetrahedron of ten @p nodes to the @p mesh, and the eight linear
+   * ones that it consists of: four at its vertices, in their order, and four
+   * around the line between the nodes of its edges 0-2 and 1-3. */
+  void
+  add_quadratic_cell(const std::array<unsigned int, 10> &nodes,
+                     SimplexMesh<3> &mesh);
 
-    /** The tetrahedra between their vertices; its points hold all nodes. */
-    SimplexMesh<3> linear;
-
-    /** All ten nodes of each cell. */
-    std::vector<std::array<unsigned int, 10>> cells;
-  };
+  /** The mesh of ten-noded tetrahedra with straight edges on the vertices of a
+   * @p linear one, whose nodes come first. */
+  SimplexMesh<3>
+  quadratic_mesh(const SimplexMesh<3> &linear);
 } // namespace coapt
 
 #endif

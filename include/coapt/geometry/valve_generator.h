@@ -42,6 +42,10 @@ namespace coapt
    * is the outer rim of the root, row n_root_rows the annulus line. Every
    * brick is cut into five tetrahedra in alternation, which conforms.
    *
+   * With quadratic elements, each two bricks in every direction are cut into
+   * six tetrahedra of ten nodes, which need all of their 27 nodes (Freudenthal
+   * 1942), on the left the mirror image of those on the right, which conforms.
+   *
    * "Mid-surface nodes" are the middle node of a column, or the two middle
    * ones if the number of layers is odd. Fibre and prestretch are constant in
    * a brick; F0 is the identity in the root, which is no free tissue.

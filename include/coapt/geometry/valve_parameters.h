@@ -75,7 +75,12 @@ namespace coapt
     double circumferential_prestretch = 1.10;
     double radial_prestretch          = 1.15;
 
-    /** Elements around, along the height, and through the thickness. */
+    /** Whether the tetrahedra have ten nodes (P2) in place of four (P1). The
+     * nodes are the same: each two bricks in every direction make one. */
+    bool quadratic = false;
+
+    /** Bricks of neighbouring nodes around, along the height, and through the
+     * thickness. */
     unsigned int n_circumferential = 84;
     unsigned int n_radial          = 12;
     unsigned int n_layers          = 2;
@@ -144,7 +149,9 @@ namespace coapt
     /**
      * Checks what a bound on a single entry cannot.
      * @throws InputError if the number of elements around the valve is odd
-     *   (tetrahedra would not conform at the seam), if a size is not positive,
+     *   (tetrahedra would not conform at the seam) or, with quadratic
+     *   elements, that in any other direction is odd or that around it no
+     *   multiple of eight, if a size is not positive,
      *   or if the lists of the secondary chordae differ in length.
      */
     void

@@ -53,6 +53,7 @@ namespace coapt
     EnergyAudit<3>::Energies energies;
     std::array<double, ChordaePeaks::n_classes> chordae_tension{};
     std::vector<double> chorda_tension;              // of each
+    std::vector<double> plane_flow;                  // along each normal
     std::map<std::string, double> held_displacement; // largest, by set
     WidestPath path;
     Orifice orifice;
@@ -102,6 +103,11 @@ namespace coapt
     {
       return surface_points;
     }
+
+    /** Gap of each column to what it faces, now (m), with the crests of folds
+     * that are shut. */
+    std::vector<double>
+    gaps() const;
 
     /** Measures the belt of coaptation. */
     const Coaptation &

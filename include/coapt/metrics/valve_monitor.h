@@ -3,6 +3,7 @@
 
 #include <coapt/coupled/valve_model.h>
 #include <coapt/metrics/leaflet_monitor.h>
+#include <coapt/metrics/plane_flux.h>
 
 #include <vector>
 
@@ -20,7 +21,8 @@ namespace coapt
   class ValveMonitor : public LeafletMonitor
   {
   public:
-    explicit ValveMonitor(ValveModel &model);
+    /** Measures the flow through @p planes, too. */
+    ValveMonitor(ValveModel &model, const std::vector<Plane> &planes);
 
     /** Integrates the flows; call every few steps. Collective. */
     void
@@ -71,6 +73,7 @@ namespace coapt
     measure_noise(const double *y, ValveSample &sample) const;
 
     ValveModel &model;
+    const std::vector<Plane> planes;
     EnergyAudit<3> audit;
 
     bool started           = false;

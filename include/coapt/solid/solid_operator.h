@@ -8,14 +8,17 @@
 #include <mpi.h>
 
 #include <limits>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace coapt
 {
   /**
-   * The semi-discrete solid M X'' = -F_int(X) - F_visc(V): linear simplices
-   * in the total Lagrangian frame with a lumped mass matrix (Belytschko, Liu,
-   * Moran: Nonlinear Finite Elements, section 4.9). The first
+   * The semi-discrete solid M X'' = -F_int(X) - F_visc(V) in the total
+   * Lagrangian frame with a lumped mass matrix (Belytschko, Liu, Moran:
+   * Nonlinear Finite Elements, section 4.9): the quadratic elements of the mesh
+   * if it has such, otherwise its linear simplices. The first
    * Piola-Kirchhoff stress is that of the material at the elastic deformation
    * gradient F F0 plus the Kelvin-Voigt stress eta d(F F0)/dt.
    *
@@ -23,9 +26,12 @@ namespace coapt
    * costs a stress of eta omega, some ten Pa for a closing leaflet.
    *
    * Every rank knows all nodes: nodal arrays have dim * n_nodes() entries,
-   * [dim * node + component]. The cells are divided among the ranks. In 2D
+   * [dim * node + component]. The elements are divided among the ranks. In 2D
    * the strain is plane, volumes are areas, and masses, forces and energies
-   * are per thickness.
+   * are per thickness. What is given or returned "per cell" is so per linear
+   * cell of the mesh, of which a quadratic element has eight: the stress points
+   * of the element are those of the cells at its vertices, and the four cells
+   * inside have the mean of them.
    */
   template <int dim>
   class SolidOperator
@@ -40,7 +46,8 @@ namespace coapt
       /** Largest viscous damping ratio of a motion at omega. */
       double xi = 0;
 
-      /** Cell that has this frequency, or is not finite. */
+      /** Cell that has this frequency, or is not finite; of a quadratic
+       * element, the first. */
       unsigned int cell = 0;
 
       /** Smallest ratio of the volume to the stress-free one. */
@@ -130,15 +137,36 @@ namespace coapt
     owned_cells() const;
 
   private:
-    /** Calls @p f with the material, as its own type. */
+    /** Builds masses and batches of the elements of this degree. */
+    template <int degree>
+    void
+    build(const SimplexMesh<dim> &mesh,
+          const std::vector<dealii::Tensor<1, dim>> &fibre,
+          const std::vector<dealii::Tensor<1, dim>> &normal,
+          const std::vector<double> &added_mass);
+
+    /** Calls @p f with the material and with the batches, as their own types.
+     */
     template <typename Function>
     void
     with_material(const Function &f) const;
 
+    /** Damping rate (1/s) that bounds those of all elements. Collective. */
+    double
+    largest_viscous_rate() const;
+
     /** Largest stiffness over mass of the batches of this rank. */
-    template <typename Law>
+    template <typename Law, typename Cells>
     StepBound
-    local_step_bound(const Law &law, const double *X) const;
+    local_step_bound(const Law &law,
+                     const std::vector<Cells> &batches,
+                     const double *X) const;
+
+    /** Batches of linear or, in 3D, quadratic elements. */
+    using Batches = std::conditional_t<
+      dim == 3,
+      std::variant<std::vector<CellBatch<dim>>, std::vector<CellBatch<3, 2>>>,
+      std::variant<std::vector<CellBatch<dim>>>>;
 
     MPI_Comm communicator;
     double density, viscosity;
@@ -147,7 +175,7 @@ namespace coapt
     std::vector<double> volumes, nodal_mass;
     std::vector<unsigned int> cells;
     std::vector<dealii::Tensor<2, dim>> prestretch;
-    std::vector<CellBatch<dim>> batches;
+    Batches batches;
   };
 } // namespace coapt
 
