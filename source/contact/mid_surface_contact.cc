@@ -1,5 +1,4 @@
 #include <coapt/contact/mid_surface_contact.h>
-#include <coapt/geometry/triangle.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -86,6 +85,7 @@ namespace coapt
              surface.triangles(),
              parameters.exclusion_distance + parameters.clearance,
              own_columns)
+    , rule(surface.triangles(), surface.n_columns())
     , points(reference_positions(surface, leaflet))
   {
     const unsigned int n = surface.n_columns();
@@ -164,41 +164,25 @@ namespace coapt
 
 
 
-  MidSurfaceContact::Encounter
-  MidSurfaceContact::encounter(const unsigned int column,
-                               const unsigned int triangle) const
-  {
-    Encounter result;
-    const auto &corner = surface.triangles()[triangle];
-    double weights[3];
-    const Point<3> &p      = points[column];
-    const Point<3> closest = closest_point_on_triangle(
-      p, points[corner[0]], points[corner[1]], points[corner[2]], weights);
-    result.triangle = triangle;
-    result.distance = p.distance(closest);
-    if (result.distance > 0)
-      result.normal = (closest - p) / result.distance;
-    result.weights = {{weights[0], weights[1], weights[2]}};
-    return result;
-  }
-
-
-
-  // The nearest triangle, and the nearest one in the opposite direction if it
-  // is in contact. Returns how many there are. Measured distances sharpen the
-  // bounds of the candidates, and the nearest one moves to the front, so that
-  // in the next step few others have to be measured.
+  // The nearest triangle that faces the column, and the nearest one in the
+  // opposite direction if it is in contact, both within the distance given.
+  // Returns how many there are.
+  // Measured distances sharpen the bounds of the candidates, and the nearest
+  // one moves to the front, so that in the next step few others have to be
+  // measured.
   unsigned int
   MidSurfaceContact::find_encounters(const unsigned int i,
+                                     const double within,
                                      Encounter (&encounters)[2])
   {
-    const double onset    = thickness + parameters.clearance;
-    auto &list            = search.candidates(i);
-    const double approach = 2 * displacement;
+    const double onset        = thickness + parameters.clearance;
+    const unsigned int column = own_columns[i];
+    auto &list                = search.candidates(i);
+    const double approach     = 2 * displacement;
 
     touching.clear(); // any of these may turn out to be the opposite one
     unsigned int n = 0;
-    double nearest = onset + 0.5 * parameters.search_margin;
+    double nearest = within;
     double least   = std::numeric_limits<double>::max();
     for (auto &candidate : list)
       {
@@ -207,14 +191,15 @@ namespace coapt
         Encounter other;
         if (measure)
           {
-            other = encounter(own_columns[i], candidate.triangle);
+            other = rule.encounter(points, column, candidate.triangle);
             candidate.least_distance =
               std::max(candidate.least_distance, other.distance - approach);
           }
         least = std::min(least, candidate.least_distance);
         if (measure && other.distance < onset)
           touching.push_back(other);
-        if (measure && other.distance <= nearest)
+        if (measure && other.distance <= nearest &&
+            rule.faces(points, column, other))
           {
             nearest       = other.distance;
             encounters[0] = other;
@@ -226,7 +211,8 @@ namespace coapt
     nearest           = onset;
     for (const Encounter &other : touching)
       if (other.distance < nearest &&
-          other.normal * encounters[0].normal < opposite)
+          other.normal * encounters[0].normal < opposite &&
+          rule.faces(points, column, other))
         {
           nearest       = other.distance;
           encounters[1] = other;
@@ -301,16 +287,23 @@ namespace coapt
     const unsigned int c = own_columns[i];
     double *sum          = &sums[n_slots * c];
     const double onset   = thickness + parameters.clearance;
-    if (!measure_all && least_distance[i] - 2 * displacement > onset)
+    // A gap that was in contact is known until it is found to be wider.
+    const bool measure = measure_all || columns.gap[c] < parameters.clearance;
+    Encounter encounters[2];
+    unsigned int n = 0;
+    if (measure || least_distance[i] - 2 * displacement <= onset)
+      n = find_encounters(i,
+                          measure ? onset + 0.5 * parameters.search_margin
+                                  : onset,
+                          encounters);
+    if (n == 0 && !measure)
       {
         sum[gap] = columns.gap[c];
         add(sum + direction, 1., columns.normals[c]);
         histories[i] = {};
         return;
       }
-    Encounter encounters[2];
-    const unsigned int n = find_encounters(i, encounters);
-    sum[gap]             = n > 0 ? encounters[0].distance - thickness : no_gap;
+    sum[gap] = n > 0 ? encounters[0].distance - thickness : no_gap;
     if (n > 0)
       add(sum + direction, 1., encounters[0].normal);
     std::array<ElasticSlip, 2> now;

@@ -34,7 +34,7 @@ namespace coapt
         return monitor.coaptation().average(values, state.current_area);
       };
       std::vector<double> coapts;
-      for (const bool value : monitor.coaptation().coapting(state.gap,
+      for (const bool value : monitor.coaptation().coapting(monitor.gaps(),
                                                             tractions.total,
                                                             state.current_area))
         coapts.push_back(value);
@@ -47,7 +47,7 @@ namespace coapt
          "coaptation_pressure_kPa",
          kilopascal,
          filtered(tractions.total)},
-        {"gap", "gap_mm", millimetre, state.gap},
+        {"gap", "gap_mm", millimetre, monitor.gaps()},
         {"first_contact",
          "first_contact_s",
          1.,
@@ -107,7 +107,7 @@ namespace coapt
                   const std::string &file)
     {
       const auto &state  = valve.contact->state();
-      const auto profile = monitor.coaptation().profile(state.gap,
+      const auto profile = monitor.coaptation().profile(monitor.gaps(),
                                                         tractions.total,
                                                         state.current_area,
                                                         monitor.mid_surface());

@@ -3,6 +3,7 @@
 #include <coapt/geometry/boundary_faces.h>
 #include <coapt/geometry/outline.h>
 #include <coapt/metrics/bulging_volume.h>
+#include <coapt/metrics/fold_crest.h>
 #include <coapt/metrics/leaflet_monitor.h>
 #include <coapt/metrics/loads.h>
 #include <coapt/metrics/swept_volume.h>
@@ -208,11 +209,23 @@ namespace coapt
   LeafletMonitor::coaptation(const std::vector<double> &contact_pressure,
                              const std::vector<double> &total_traction) const
   {
-    const auto &state = valve.contact->state();
-    return belt.evaluate(state.gap,
+    return belt.evaluate(gaps(),
                          contact_pressure,
                          total_traction,
-                         state.current_area);
+                         valve.contact->state().current_area);
+  }
+
+
+
+  std::vector<double>
+  LeafletMonitor::gaps() const
+  {
+    const auto &state = valve.contact->state();
+    return gaps_with_fold_crests(state.gap,
+                                 state.normals,
+                                 surface_points,
+                                 valve.leaflet.thickness,
+                                 belt.gap_limit());
   }
 
 

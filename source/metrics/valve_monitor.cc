@@ -206,8 +206,7 @@ namespace coapt
 
     // Where leaflets lie side by side, they part ventricle and film, not
     // ventricle and atrium.
-    const std::vector<bool> apposed =
-      coaptation().apposed(model.contact->state().gap);
+    const std::vector<bool> apposed = coaptation().apposed(gaps());
     std::vector<std::array<unsigned int, 3>> parting;
     for (const auto &[a, b, c] : model.surface)
       if (!apposed[a] && !apposed[b] && !apposed[c])

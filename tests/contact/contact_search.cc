@@ -123,6 +123,34 @@ namespace
       }
   }
 
+  /** Whether no triangle that has all the corners of which the closest point
+   * on @p triangle is made is nearer to @p p than that: all are asked. */
+  bool
+  faces(const Point<3> &p,
+        const std::vector<Point<3>> &points,
+        const std::vector<std::array<unsigned int, 3>> &triangles,
+        const std::array<unsigned int, 3> &triangle)
+  {
+    double weights[3];
+    const Point<3> closest = closest_point_on_triangle(p,
+                                                       points[triangle[0]],
+                                                       points[triangle[1]],
+                                                       points[triangle[2]],
+                                                       weights);
+    const double reach     = p.distance(closest);
+    for (const auto &other : triangles)
+      {
+        bool shares = true;
+        for (unsigned int v = 0; v < 3; ++v)
+          shares = shares &&
+            (weights[v] == 0 ||
+             std::count(other.begin(), other.end(), triangle[v]) == 1);
+        if (shares && distance(p, points, other) < reach * (1 - 1e-12))
+          return false;
+      }
+    return true;
+  }
+
   /** Gaps while the strip rolls up, with candidates that are renewed only now
    * and then, against brute force at every step. */
   void
@@ -156,9 +184,10 @@ namespace
           {
             double nearest = 1;
             for (const auto &triangle : surface.triangles())
-              if (distance(reference[c], reference, triangle) > exclusion)
-                nearest =
-                  std::min(nearest, distance(points[c], points, triangle));
+              if (distance(reference[c], reference, triangle) > exclusion &&
+                  distance(points[c], points, triangle) < nearest &&
+                  faces(points[c], points, surface.triangles(), triangle))
+                nearest = distance(points[c], points, triangle);
             const double gap = nearest - Sheets::thickness <= range
               ? nearest - Sheets::thickness
               : MidSurfaceContact::no_gap;

@@ -4,6 +4,7 @@
 #include <coapt/contact/candidate_search.h>
 #include <coapt/contact/contact_law.h>
 #include <coapt/contact/contact_parameters.h>
+#include <coapt/contact/facing_rule.h>
 #include <coapt/contact/mid_surface.h>
 
 #include <mpi.h>
@@ -20,10 +21,10 @@ namespace coapt
    * below thickness plus clearance; since it is a distance, free edges are
    * round and do not hook. Every column is treated as node against the
    * triangles and, as their corner, as the partner of others: two passes of
-   * half weight each. A column takes the nearest triangle, and a second one on
-   * its other side, if it lies between two parts of the leaflet. Forces are
-   * applied at mid-surfaces; the couple of friction about them (half a
-   * thickness as its arm) is neglected.
+   * half weight each. A column takes the nearest triangle that faces it
+   * (FacingRule), and a second one on its other side, if it lies between two
+   * parts of the leaflet. Forces are applied at mid-surfaces; the couple of
+   * friction about them (half a thickness as its arm) is neglected.
    *
    * Contact has no stable step of its own: the stiffness follows the step.
    *
@@ -65,16 +66,16 @@ namespace coapt
     /** State of the columns, the same on all ranks. */
     struct ColumnState
     {
-      /** Distance to the nearest other part of the mid-surface minus
-       * thickness (m), no_gap if there is none near. Gaps beyond the clearance
-       * are measured every "search interval" steps only. */
+      /** Distance to the nearest part of the mid-surface that faces the column
+       * minus thickness (m), no_gap if there is none near. Gaps beyond the
+       * clearance are measured every "search interval" steps only. */
       std::vector<double> gap;
 
       /** Integral of the contact pressure over time (Pa s) since
        * clear_accumulators(); both sides add up. */
       std::vector<double> pressure_impulse;
 
-      /** Unit vector to the nearest other part, zero if there is none;
+      /** Unit vector to the nearest facing part, zero if there is none;
        * measured with the gap. */
       std::vector<dealii::Tensor<1, 3>> normals;
 
@@ -104,23 +105,13 @@ namespace coapt
     stiffness(const double dt) const;
 
   private:
-    /** A column at its closest point on a triangle. */
-    struct Encounter
-    {
-      unsigned int triangle = 0;
-      double distance       = 0;
-      dealii::Tensor<1, 3> normal;
-      std::array<double, 3> weights;
-    };
-
     void
     renew_candidates();
 
-    Encounter
-    encounter(const unsigned int column, const unsigned int triangle) const;
-
     unsigned int
-    find_encounters(const unsigned int i, Encounter (&encounters)[2]);
+    find_encounters(const unsigned int i,
+                    const double within,
+                    Encounter (&encounters)[2]);
 
     bool
     add_impulse(const unsigned int column,
@@ -152,6 +143,7 @@ namespace coapt
     MidSurface surface;
     std::vector<unsigned int> own_columns;
     CandidateSearch search;
+    FacingRule rule;
     double areal_mass; // density x h, kg/m^2
     double displacement = 0;
     bool measure_all    = true;

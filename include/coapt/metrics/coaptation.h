@@ -115,6 +115,13 @@ namespace coapt
          const std::vector<double> &area,
          const std::vector<dealii::Point<3>> &points) const;
 
+    /** Columns with a larger gap do not coapt (m). */
+    double
+    gap_limit() const
+    {
+      return settings.gap_limit;
+    }
+
     /** The lines from annulus to free edge. */
     const LeafletLines &
     leaflet_lines() const

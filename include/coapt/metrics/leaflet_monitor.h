@@ -103,6 +103,11 @@ namespace coapt
       return surface_points;
     }
 
+    /** Gap of each column to what it faces, now (m), with the crests of folds
+     * that are shut. */
+    std::vector<double>
+    gaps() const;
+
     /** Measures the belt of coaptation. */
     const Coaptation &
     coaptation() const

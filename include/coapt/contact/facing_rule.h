@@ -1,0 +1,58 @@
+#ifndef coapt_contact_facing_rule_h
+#define coapt_contact_facing_rule_h
+
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <vector>
+
+namespace coapt
+{
+  /** A column of a mid-surface at its closest point on a triangle. */
+  struct Encounter
+  {
+    unsigned int triangle = 0;
+    double distance       = 0;       // m
+    dealii::Tensor<1, 3> normal;     // unit vector to the closest point
+    std::array<double, 3> weights{}; // of the triangle's corners there
+  };
+
+  /**
+   * Tells the parts of a surface that face a column from those that go on
+   * beside it. The neighbours of a column are left out of the search; what is
+   * nearest in the rest of a flat sheet is the border of this hole, and
+   * nothing is there that could be touched.
+   *
+   * A point faces the column if the distance is a local minimum there on the
+   * whole surface, hole included: no triangle that shares the point is nearer.
+   * The column then lies on the normal of that surface, or outside of its free
+   * edge or crease. No angle has to be chosen, edges are found whichever way
+   * they point, and the distance of a point that faces the column changes
+   * without jumps while it slides over facets, creases and edges.
+   */
+  class FacingRule
+  {
+  public:
+    /** Triangles with corners below @p n_columns. */
+    FacingRule(const std::vector<std::array<unsigned int, 3>> &triangles,
+               const unsigned int n_columns);
+
+    /** Closest point of a triangle to a column at @p points (m). */
+    Encounter
+    encounter(const std::vector<dealii::Point<3>> &points,
+              const unsigned int column,
+              const unsigned int triangle) const;
+
+    /** Whether the point of this encounter faces the column. */
+    bool
+    faces(const std::vector<dealii::Point<3>> &points,
+          const unsigned int column,
+          const Encounter &encounter) const;
+
+  private:
+    std::vector<std::array<unsigned int, 3>> triangles;
+    std::vector<std::vector<unsigned int>> around; // triangles of a column
+  };
+} // namespace coapt
+
+#endif
