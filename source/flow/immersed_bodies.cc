@@ -425,8 +425,7 @@ namespace coapt
   {
     const std::vector<double> X = system.solid_positions(y);
     const std::vector<double> V = system.solid_velocities(y);
-    std::vector<double> stress, strain, jacobian;
-    solid.cell_results(X.data(), stress, strain, jacobian);
+    const CellResults cells     = solid.cell_results(X.data());
     const std::string file = numbered("bodies", field_files.size()) + ".vtu";
     field_files.emplace_back(t, file);
     if (!is_first_rank(model.communicator))
@@ -456,9 +455,10 @@ namespace coapt
                           : VtuFile::CellType::tetrahedron);
     grid.add_point_data("displacement", 3, displacements);
     grid.add_point_data("velocity", 3, velocities);
-    grid.add_cell_data("von_mises", 1, stress);
-    grid.add_cell_data("max_log_strain", 1, strain);
-    grid.add_cell_data("volume_ratio", 1, jacobian);
+    grid.add_cell_data("von_mises", 1, cells.von_mises);
+    grid.add_cell_data("max_principal_stress", 1, cells.principal_stress);
+    grid.add_cell_data("max_log_strain", 1, cells.largest_strain);
+    grid.add_cell_data("volume_ratio", 1, cells.volume_ratio);
     grid.write(folder + "/" + file);
     write_collection(folder + "/bodies.pvd", field_files);
   }

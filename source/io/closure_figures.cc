@@ -93,17 +93,24 @@ namespace coapt
               return w == 0;
             }))
           continue; // the valve has no such part
-        const auto &stress = monitor.cell_stress();
-        const auto &strain = monitor.cell_strain();
+        const CellResults &cells = monitor.cell_results();
         Summary figures;
         figures.set("bulging_volume_mL", bulging[region] / millilitre);
         figures.set("stress_mean_kPa",
-                    weighted_mean(stress, weights) / kilopascal);
+                    weighted_mean(cells.von_mises, weights) / kilopascal);
         figures.set("stress_95_percent_kPa",
-                    weighted_quantile(stress, weights, 0.95) / kilopascal);
-        figures.set("strain_mean", weighted_mean(strain, weights));
+                    weighted_quantile(cells.von_mises, weights, 0.95) /
+                      kilopascal);
+        figures.set("principal_stress_mean_kPa",
+                    weighted_mean(cells.principal_stress, weights) /
+                      kilopascal);
+        figures.set("principal_stress_95_percent_kPa",
+                    weighted_quantile(cells.principal_stress, weights, 0.95) /
+                      kilopascal);
+        figures.set("strain_mean",
+                    weighted_mean(cells.largest_strain, weights));
         figures.set("strain_95_percent",
-                    weighted_quantile(strain, weights, 0.95));
+                    weighted_quantile(cells.largest_strain, weights, 0.95));
         result.set(names[region], figures);
       }
     return result;

@@ -141,10 +141,15 @@ namespace coapt
                               1,
                               column_to_nodes(leaflet,
                                               fields.coaptation_pressure));
-        if (!fields.von_mises.empty())
-          file.add_cell_data("von_mises", 1, fields.von_mises);
-        if (!fields.max_log_strain.empty())
-          file.add_cell_data("max_log_strain", 1, fields.max_log_strain);
+        const auto add = [&](const std::string &field,
+                             const std::vector<double> &values) {
+          if (!values.empty())
+            file.add_cell_data(field, 1, values);
+        };
+        add("von_mises", fields.cells.von_mises);
+        add("max_principal_stress", fields.cells.principal_stress);
+        add("max_log_strain", fields.cells.largest_strain);
+        add("volume_ratio", fields.cells.volume_ratio);
         if (!leaflet.fibre.empty())
           file.add_cell_data("fibre", 3, current_fibre(leaflet, fields.X));
         file.add_cell_data("region", 1, region);

@@ -87,13 +87,9 @@ namespace coapt
                           const std::vector<double> &V)
   {
     LeafletFields leaflet;
-    leaflet.X = X;
-    leaflet.V = V;
-    std::vector<double> jacobian;
-    valve.solid->cell_results(X.data(),
-                              leaflet.von_mises,
-                              leaflet.max_log_strain,
-                              jacobian);
+    leaflet.X                   = X;
+    leaflet.V                   = V;
+    leaflet.cells               = valve.solid->cell_results(X.data());
     leaflet.contact_pressure    = monitor.contact_pressure();
     leaflet.coaptation_pressure = monitor.total_traction();
     fields.write_leaflet(t, valve.leaflet, leaflet);

@@ -54,6 +54,7 @@ namespace coapt
       row.emplace_back("chordae_" + name_of(static_cast<ChordaClass>(c)) + "_N",
                        s.chordae_tension[c]);
     add({{"stress_mean_kPa", s.mean_stress / kilopascal},
+         {"principal_stress_mean_kPa", s.mean_principal / kilopascal},
          {"strain_mean", s.mean_strain},
          {"velocity_max_m_per_s", s.largest_velocity}});
     if (in_blood)
@@ -324,6 +325,7 @@ namespace coapt
     if (settings.in_blood)
       result.set("reynolds_peak", peak_reynolds());
     result.set("stress_mean_kPa", last.mean_stress / kilopascal);
+    result.set("principal_stress_mean_kPa", last.mean_principal / kilopascal);
     result.set("strain_mean", last.mean_strain);
     result.set("end_time_s", last.time);
     if (settings.in_blood)

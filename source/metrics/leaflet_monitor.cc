@@ -168,17 +168,18 @@ namespace coapt
     sample.chordae_tension = peaks.class_tensions(tensions);
     sample.chorda_tension  = tensions;
 
-    std::vector<double> jacobian;
-    valve.solid->cell_results(X.data(), stress, strain, jacobian);
+    cells         = valve.solid->cell_results(X.data());
     double volume = 0;
-    for (unsigned int c = 0; c < stress.size(); ++c)
+    for (unsigned int c = 0; c < cells.von_mises.size(); ++c)
       {
         const double weight = valve.solid->cell_volumes()[c];
         volume += weight;
-        sample.mean_stress += weight * stress[c];
-        sample.mean_strain += weight * strain[c];
+        sample.mean_stress += weight * cells.von_mises[c];
+        sample.mean_principal += weight * cells.principal_stress[c];
+        sample.mean_strain += weight * cells.largest_strain[c];
       }
     sample.mean_stress /= volume;
+    sample.mean_principal /= volume;
     sample.mean_strain /= volume;
 
     sample.swept_flow =

@@ -422,14 +422,12 @@ namespace coapt
   }
 
   template <int dim>
-  void
-  SolidOperator<dim>::cell_results(const double *X,
-                                   std::vector<double> &von_mises_cauchy,
-                                   std::vector<double> &max_log_strain,
-                                   std::vector<double> &jacobian) const
+  CellResults
+  SolidOperator<dim>::cell_results(const double *X) const
   {
-    const auto n_cells = volumes.size();
-    std::vector<double> local(3 * n_cells, 0.), global(3 * n_cells);
+    const auto n_cells               = volumes.size();
+    constexpr unsigned int n_results = 4;
+    std::vector<double> local(n_results * n_cells, 0.), global(local.size());
     const auto evaluate = [&](const auto &law,
                               const auto &point,
                               const SmallMatrix<dim, Batch> &gradient,
@@ -442,9 +440,11 @@ namespace coapt
       for (int d = 0; d < dim * dim; ++d)
         fibre[d] = point.fibre[d][lane];
       const auto F              = embed(elastic);
-      local[cell]               = von_mises(law.first_piola(F, fibre), F);
-      local[n_cells + cell]     = largest_strain(embed(total));
-      local[2 * n_cells + cell] = determinant(total);
+      const auto stress         = cauchy_stress(law.first_piola(F, fibre), F);
+      local[cell]               = von_mises(stress);
+      local[n_cells + cell]     = largest_eigenvalue(stress);
+      local[2 * n_cells + cell] = largest_strain(embed(total));
+      local[3 * n_cells + cell] = determinant(total);
     };
     with_material([&](const auto &law, const auto &batches) {
       for (const auto &batch : batches)
@@ -463,16 +463,17 @@ namespace coapt
                          Cells::n_parts * batch.cell[lane] + q);
             }
           for (unsigned int lane = 0; lane < batch.n_filled; ++lane)
-            for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int i = 0; i < n_results; ++i)
               fill_inner<Cells>(
                 &local[i * n_cells + Cells::n_parts * batch.cell[lane]]);
         }
     });
     dealii::Utilities::MPI::sum(local, communicator, global);
-    von_mises_cauchy.assign(global.begin(), global.begin() + n_cells);
-    max_log_strain.assign(global.begin() + n_cells,
-                          global.begin() + 2 * n_cells);
-    jacobian.assign(global.begin() + 2 * n_cells, global.end());
+    const auto part = [&](const unsigned int i) {
+      return std::vector<double>(global.begin() + i * n_cells,
+                                 global.begin() + (i + 1) * n_cells);
+    };
+    return {part(0), part(1), part(2), part(3)};
   }
 
   template <int dim>

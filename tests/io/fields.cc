@@ -133,7 +133,7 @@ check_leaflet_and_chordae()
     for (unsigned int d = 0; d < 3; ++d)
       fields.X.push_back((d == 0 ? 3 : 1) * point[d]);
   fields.V                = std::vector<double>(12, 2.);
-  fields.von_mises        = {1e5};
+  fields.cells.von_mises  = {1e5};
   fields.contact_pressure = {10., 20.};
   FieldsWriter writer(".", comm);
   writer.write_leaflet(0., leaflet, fields);

@@ -219,8 +219,8 @@ namespace
                                                state[3 * node + 1],
                                                state[3 * node + 2])));
       }
-    std::vector<double> stress, strain, jacobian;
-    valve.solid->cell_results(state.data(), stress, strain, jacobian);
+    const std::vector<double> stress =
+      valve.solid->cell_results(state.data()).von_mises;
     const double largest = *std::max_element(stress.begin(), stress.end());
     const double energy  = valve.solid->elastic_energy(state.data()) +
       valve.solid->kinetic_energy(state.data() + n_entries);

@@ -72,6 +72,8 @@ GROUPS = (
     ("Leaflets", (
         Row("Bulging volume", "bulging_volume_mL", "mL"),
         Row("Mean von Mises stress", "stress_mean_kPa", "kPa", "{:.1f}"),
+        Row("Mean of the largest principal stress",
+            "principal_stress_mean_kPa", "kPa", "{:.1f}"),
         Row("Mean of the largest strain", "strain_mean", "", "{:.3f}"),
         Row("Force on the annulus", "annulus_force_N", "N", "{:.2f}"))),
     ("Largest force of a single chorda", (

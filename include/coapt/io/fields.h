@@ -1,6 +1,8 @@
 #ifndef coapt_io_fields_h
 #define coapt_io_fields_h
 
+#include <coapt/solid/cell_results.h>
+
 #include <deal.II/base/point.h>
 
 #include <mpi.h>
@@ -25,9 +27,8 @@ namespace coapt
     /** Positions (m) and velocities (m/s) of all nodes. */
     std::vector<double> X, V;
 
-    /** Von Mises norm of the Cauchy stress (Pa) and largest logarithmic
-     * strain, for each cell. */
-    std::vector<double> von_mises, max_log_strain;
+    /** Stress and strain of each cell. */
+    CellResults cells;
 
     /** Contact pressure, and total traction of coaptation (contact and film),
      * for each column (Pa). */

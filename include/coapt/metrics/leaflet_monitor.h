@@ -8,6 +8,7 @@
 #include <coapt/metrics/contact_history.h>
 #include <coapt/metrics/energy_audit.h>
 #include <coapt/metrics/orifice.h>
+#include <coapt/solid/cell_results.h>
 
 #include <functional>
 #include <map>
@@ -47,6 +48,7 @@ namespace coapt
     double checkerboard_rms    = 0; // away from the leaflet
     double point_spacing       = 0; // largest, in finest fluid cells
     double mean_stress         = 0; // von Mises
+    double mean_principal      = 0; // largest principal stress
     double mean_strain         = 0; // largest logarithmic
     double energy_error        = 0;
     EnergyAudit<3>::Works works;
@@ -116,20 +118,12 @@ namespace coapt
       return belt;
     }
 
-    /** Von Mises stress (Pa) and largest logarithmic strain of each cell of the
-     * solid at the last sample. @{ */
-    const std::vector<double> &
-    cell_stress() const
+    /** Stress and strain of each cell of the solid at the last sample. */
+    const CellResults &
+    cell_results() const
     {
-      return stress;
+      return cells;
     }
-
-    const std::vector<double> &
-    cell_strain() const
-    {
-      return strain;
-    }
-    /** @} */
 
     /** Bulging volume of the parts of the leaflet, by Region (m^3). */
     std::array<double, n_regions>
@@ -206,7 +200,7 @@ namespace coapt
     const Coaptation belt;
     ContactHistory history;
     std::vector<std::array<unsigned int, 3>> outer_faces; // of the mesh
-    std::vector<double> stress, strain;
+    CellResults cells;
     const double widest;
   };
 } // namespace coapt

@@ -2,6 +2,7 @@
 #define coapt_solid_solid_operator_h
 
 #include <coapt/solid/cell_batch.h>
+#include <coapt/solid/cell_results.h>
 #include <coapt/solid/materials/material.h>
 #include <coapt/solid/solid_parameters.h>
 
@@ -117,16 +118,10 @@ namespace coapt
     double
     kinetic_energy(const double *V) const;
 
-    /**
-     * For every cell, on every rank: von Mises norm of the elastic Cauchy
-     * stress (Pa), largest logarithmic strain and ratio of volumes, both
-     * relative to the mesh (without prestretch). Collective.
-     */
-    void
-    cell_results(const double *X,
-                 std::vector<double> &von_mises_cauchy,
-                 std::vector<double> &max_log_strain,
-                 std::vector<double> &jacobian) const;
+    /** Stress, strain and volume of every cell, on every rank, at the nodal
+     * positions @p X (m). Collective. */
+    CellResults
+    cell_results(const double *X) const;
 
     /** Reference volume of every cell (m^3, in 2D m^2). */
     const std::vector<double> &

@@ -1,0 +1,26 @@
+#ifndef coapt_solid_cell_results_h
+#define coapt_solid_cell_results_h
+
+#include <vector>
+
+namespace coapt
+{
+  /** State of each cell of a solid; all vectors empty or as long as there are
+   * cells. */
+  struct CellResults
+  {
+    /** Von Mises norm of the elastic Cauchy stress (Pa). */
+    std::vector<double> von_mises;
+
+    /** Largest principal value of the elastic Cauchy stress (Pa). */
+    std::vector<double> principal_stress;
+
+    /** Largest logarithmic strain relative to the mesh, without prestretch. */
+    std::vector<double> largest_strain;
+
+    /** Volume over that in the mesh. */
+    std::vector<double> volume_ratio;
+  };
+} // namespace coapt
+
+#endif
