@@ -165,8 +165,8 @@ namespace coapt
 
         station.drainage = station.weight *
           ramp(edge_distance_with_partner(c, contact.partner[c]),
-               cell,
-               2 * cell);
+               0.5 * cell,
+               cell);
       }
   }
 
