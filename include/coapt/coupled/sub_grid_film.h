@@ -24,9 +24,9 @@ namespace coapt
    *   tangential coupling and the other half keep the seal;
    * - the cells between the two mid-surfaces drain to the atrial pressure,
    *   p' = -phi r rho c^2 p with the rate r and the fraction phi of the cell,
-   *   and fill again when the pressure reverses; but not within one cell of
-   *   the free edge, and fully only two cells from it, so that the sink does
-   *   not draw from the ventricle.
+   *   and fill again when the pressure reverses; but not within half a cell of
+   *   the free edge, and fully only a cell from it, so that the sink does not
+   *   draw from the ventricle.
    *
    * Where surfaces are further apart than the largest width, nothing is
    * changed at all.
