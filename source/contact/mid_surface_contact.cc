@@ -20,8 +20,9 @@ namespace coapt
       tangential_impulse = 3, // vector
       pressure           = 6, // sum of the magnitudes of normal impulses
       gap                = 7,
-      direction          = 8, // vector
-      n_slots            = 11
+      direction          = 8,  // vector
+      partner            = 11, // number of a triangle, exact as a double
+      n_slots            = 12
     };
 
     /** Two directions are opposite if their cosine is below this. */
@@ -94,6 +95,7 @@ namespace coapt
     columns.gap.assign(n, no_gap);
     columns.pressure_impulse.assign(n, 0.);
     columns.normals.resize(n);
+    columns.partner.assign(n, no_partner);
     least_distance.resize(own_columns.size());
     histories.resize(own_columns.size());
 
@@ -298,12 +300,14 @@ namespace coapt
                           encounters);
     if (n == 0 && !measure)
       {
-        sum[gap] = columns.gap[c];
+        sum[gap]     = columns.gap[c];
+        sum[partner] = columns.partner[c];
         add(sum + direction, 1., columns.normals[c]);
         histories[i] = {};
         return;
       }
-    sum[gap] = n > 0 ? encounters[0].distance - thickness : no_gap;
+    sum[gap]     = n > 0 ? encounters[0].distance - thickness : no_gap;
+    sum[partner] = n > 0 ? encounters[0].triangle : no_partner;
     if (n > 0)
       add(sum + direction, 1., encounters[0].normal);
     std::array<ElasticSlip, 2> now;
@@ -364,6 +368,7 @@ namespace coapt
         const double *sum  = &sums[n_slots * c];
         columns.gap[c]     = sum[gap];
         columns.normals[c] = vector_at(sum + direction);
+        columns.partner[c] = static_cast<unsigned int>(sum[partner]);
         result.min_gap     = std::min(result.min_gap, sum[gap]);
         if (sum[pressure] == 0)
           continue;

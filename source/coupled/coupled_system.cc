@@ -125,6 +125,8 @@ namespace coapt
     std::fill(fluid_force.begin(), fluid_force.end(), 0.);
     fluid.add_forces(
       t, fluid_velocity.data(), pressure, fluid_force.data(), pressure_rate);
+    if (sink)
+      sink->add_rate(pressure, pressure_rate);
   }
 
 

@@ -58,6 +58,7 @@ namespace coapt
     SolidParameters::declare_parameters(prm);
     ImmersionParameters::declare_parameters(prm);
     ContactParameters::declare_parameters(prm);
+    FilmParameters::declare_parameters(prm);
     MotionParameters::declare_parameters(prm);
   }
 
@@ -75,6 +76,7 @@ namespace coapt
     solid.parse_parameters(prm);
     coupling.parse_parameters(prm);
     contact.parse_parameters(prm);
+    film.parse_parameters(prm);
     motion.parse_parameters(prm);
   }
 } // namespace coapt

@@ -182,7 +182,48 @@ namespace coapt
       });
     system->set_impulse([this](const double *X, double *V, const double dt) {
       act_contact(X, V, dt);
+      act_on_film(X, dt);
     });
+    build_film();
+  }
+
+
+
+  void
+  ValveModel::build_film()
+  {
+    if (!parameters.film.drains)
+      return;
+    film = std::make_unique<SubGridFilm>(leaflet,
+                                         parameters.film,
+                                         parameters.mesh.finest_cell(),
+                                         parameters.fluid.density *
+                                           parameters.fluid.sound_speed *
+                                           parameters.fluid.sound_speed,
+                                         *points,
+                                         *fluid,
+                                         communicator);
+    system->set_sink(film.get());
+  }
+
+
+
+  void
+  ValveModel::act_on_film(const double *X, const double dt)
+  {
+    time_since_film += dt;
+    if (film && ++steps_since_film >= parameters.contact.search_interval)
+      update_film(X);
+  }
+
+
+
+  void
+  ValveModel::update_film(const double *X)
+  {
+    film->update(X, contact->state(), time_since_film);
+    steps_since_film = 0;
+    time_since_film  = 0;
   }
 
 
@@ -257,12 +298,16 @@ namespace coapt
                "Mesh: Largest number of cells is exceeded; the velocity jump "
                "is raised to " +
                  std::to_string(flow_indicator.tolerated_jump()) + " m/s");
-    return system->adapt(
-      *grid,
-      [this](const Point<3> &center, const double size) {
-        return wanted_level(center, size);
-      },
-      y);
+    if (!system->adapt(
+          *grid,
+          [this](const Point<3> &center, const double size) {
+            return wanted_level(center, size);
+          },
+          y))
+      return false;
+    if (film)
+      update_film(system->solid_positions(y.data()).data());
+    return true;
   }
 
 

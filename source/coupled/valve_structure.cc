@@ -58,6 +58,21 @@ namespace coapt
         : generate_chordae(parameters.valve, leaflet, nodal_mass);
     }
 
+    /** Those of the file, with a search that sees all films. */
+    ContactParameters
+    contact_parameters(const ModelParameters &parameters)
+    {
+      ContactParameters result = parameters.contact;
+      // Gaps are known up to the clearance plus half of the margin.
+      if (parameters.film.drains)
+        result.search_margin = std::max(result.search_margin,
+                                        2 *
+                                          (parameters.film.largest_width *
+                                             parameters.mesh.finest_cell() -
+                                           result.clearance));
+      return result;
+    }
+
     PrescribedMotion
     make_motion(const ModelParameters &parameters, const Leaflet &leaflet)
     {
@@ -91,11 +106,12 @@ namespace coapt
     , chordae(std::make_unique<ChordaeNetwork>(
         make_chordae(parameters, imported.get(), leaflet, solid->mass()),
         solid->mass()))
-    , contact(std::make_unique<MidSurfaceContact>(leaflet,
-                                                  solid->mass(),
-                                                  parameters.solid.density,
-                                                  parameters.contact,
-                                                  communicator))
+    , contact(
+        std::make_unique<MidSurfaceContact>(leaflet,
+                                            solid->mass(),
+                                            parameters.solid.density,
+                                            contact_parameters(parameters),
+                                            communicator))
     , motion(make_motion(parameters, leaflet))
   {
   }

@@ -56,6 +56,19 @@ namespace coapt
 
 
   template <int dim>
+  inline double
+  CouplingPoints<dim>::dot(const Register &a, const Register &b)
+  {
+    const Register products = a * b;
+    double sum              = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      sum += products[d];
+    return sum;
+  }
+
+
+
+  template <int dim>
   void
   CouplingPoints<dim>::to_lanes(const double *x, std::vector<Lanes> &result)
   {
@@ -219,9 +232,43 @@ namespace coapt
       else
         {
           cell = stencils[q].cell;
-          runs.push_back(
-            {fluid.cell(cell).nodes, constrained_nodes(fluid, cell), q, q + 1});
+          runs.push_back({fluid.cell(cell).nodes,
+                          constrained_nodes(fluid, cell),
+                          false,
+                          q,
+                          q + 1});
         }
+    mark_released_runs();
+  }
+
+
+
+  template <int dim>
+  void
+  CouplingPoints<dim>::mark_released_runs()
+  {
+    for (Run &run : runs)
+      {
+        run.released = false;
+        for (unsigned int q = run.begin; q < run.end && !releases.empty(); ++q)
+          {
+            const Register &m = releases[ids[q]].values;
+            run.released      = run.released || dot(m, m) > 0;
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  CouplingPoints<dim>::set_release(
+    const std::vector<dealii::Tensor<1, dim>> &directions)
+  {
+    releases.resize(directions.size());
+    for (unsigned int id = 0; id < directions.size(); ++id)
+      releases[id].values = Node::load(directions[id].begin_raw());
+    mark_released_runs();
   }
 
 
@@ -362,10 +409,18 @@ namespace coapt
             Register slip = solid_value(s, solid_input) - (even + odd);
             if (s.scale == 0)
               slip = Register{};
-            Node::store(coefficients.stiffness * slip,
-                        multiplier_rate + dim * q);
-            const Register force = s.volume *
-              (Node::load(multiplier + dim * q) + coefficients.drag * slip);
+            const Register lambda = Node::load(multiplier + dim * q);
+            Register rate         = coefficients.stiffness * slip;
+            Register force = s.volume * (lambda + coefficients.drag * slip);
+            if (run.released)
+              {
+                const Register m = releases[ids[q]].values;
+                rate -= m *
+                  (coefficients.stiffness * dot(m, slip) +
+                   coefficients.decay * dot(m, lambda));
+                force -= m * dot(m, force);
+              }
+            Node::store(rate, multiplier_rate + dim * q);
             for (unsigned int i = 0; i < n_fluid; ++i)
               f[i] += weights[i] * force;
             for (unsigned int a = 0; a < n_solid; ++a)
@@ -406,14 +461,21 @@ namespace coapt
             for (unsigned int i = 0; i < n_fluid; ++i)
               slip -=
                 weights[i] * Node::load(fluid_velocity + dim * run.nodes[i]);
-            for (unsigned int d = 0; d < dim; ++d)
+            const Register lambda = Node::load(multiplier + dim * q);
+            const double square   = dot(slip, slip);
+            double drag           = coefficients.drag * square;
+            if (run.released)
               {
-                const double lambda = multiplier[dim * q + d];
-                sums[0] +=
-                  s.volume * lambda * lambda / (2 * coefficients.stiffness);
-                sums[1] += s.volume * coefficients.drag * slip[d] * slip[d];
-                sums[2] += s.volume * slip[d] * slip[d];
+                const Register m      = releases[ids[q]].values;
+                const double released = dot(m, slip), decaying = dot(m, lambda);
+                drag += coefficients.decay / coefficients.stiffness * decaying *
+                    decaying -
+                  coefficients.drag * released * released;
               }
+            sums[0] +=
+              s.volume * dot(lambda, lambda) / (2 * coefficients.stiffness);
+            sums[1] += s.volume * drag;
+            sums[2] += s.volume * square;
             sums[3] += s.volume;
           }
       }

@@ -89,6 +89,6 @@ namespace coapt
   {
     const double density =
       2 * solid_density * fluid_density / (solid_density + fluid_density);
-    return {density / (tau * tau), 2 * damping_ratio * density / tau};
+    return {density / (tau * tau), 2 * damping_ratio * density / tau, 1 / tau};
   }
 } // namespace coapt

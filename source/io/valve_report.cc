@@ -25,7 +25,8 @@ namespace coapt
            {"outflow_mL_per_s", s.outflow / millilitre}});
     add({{"swept_flow_mL_per_s", s.swept_flow / millilitre}});
     if (in_blood)
-      add({{"outflow_volume_mL", s.outflow_volume / millilitre}});
+      add({{"outflow_volume_mL", s.outflow_volume / millilitre},
+           {"drained_volume_mL", s.drained_volume / millilitre}});
     add({{"swept_volume_mL", s.swept_volume / millilitre},
          {"coaptation_force_N", s.coaptation_force},
          {"contact_force_N", s.contact_force},
@@ -160,7 +161,8 @@ namespace coapt
     if (!(first->time < last.time))
       return std::numeric_limits<double>::quiet_NaN();
     return ((last.outflow_volume - first->outflow_volume) -
-            (last.swept_volume - first->swept_volume)) /
+            (last.swept_volume - first->swept_volume) +
+            (last.drained_volume - first->drained_volume)) /
       (last.time - first->time);
   }
 

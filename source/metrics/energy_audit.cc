@@ -61,6 +61,7 @@ namespace coapt
                                                   V.data(),
                                                   y + at.multiplier());
     powers.slip         = coupling.dissipation;
+    powers.film         = system.sink_power(y);
     powers.multiplier   = coupling.energy;
     powers.stiffness    = system.relaxation().stiffness;
     return powers;
@@ -89,6 +90,7 @@ namespace coapt
           add(works.fluid.*part, last.fluid.*part, now.fluid.*part);
         add(works.solid_losses, last.solid, now.solid);
         add(works.slip_losses, last.slip, now.slip);
+        add(works.film_losses, last.film, now.film);
         // The multiplier stays when k changes, and lambda^2/(2 k) with it not.
         works.relaxation += 0.5 *
           (last.multiplier * (last.stiffness / now.stiffness - 1) +
@@ -137,6 +139,7 @@ namespace coapt
             {"losses_impedance_J", works.fluid.impedance},
             {"losses_solid_J", works.solid_losses},
             {"losses_slip_J", works.slip_losses},
+            {"losses_film_J", works.film_losses},
             {"energy_kinetic_fluid_J", energies.fluid_kinetic},
             {"energy_acoustic_J", energies.acoustic},
             {"energy_kinetic_solid_J", energies.solid_kinetic},

@@ -235,6 +235,7 @@ namespace coapt
     sample.pressure       = model.ventricular_pressure(t);
     sample.peak_outflow   = largest_outflow;
     sample.outflow_volume = outflow_volume;
+    sample.drained_volume = model.film ? model.film->drained_volume() : 0.;
     measure_noise(y, sample);
     measure_flow(model.system->local_velocity(y), mid_velocities(V), sample);
     measure_solid(t, X, V, sample);

@@ -9,6 +9,7 @@
 
 #include <mpi.h>
 
+#include <limits>
 #include <vector>
 
 namespace coapt
@@ -79,12 +80,20 @@ namespace coapt
        * measured with the gap. */
       std::vector<dealii::Tensor<1, 3>> normals;
 
+      /** Triangle of the mid-surface where that part is nearest, measured with
+       * the gap; no_partner if there is none. */
+      std::vector<unsigned int> partner;
+
       /** Mid-surface area (m^2), reference and current. */
       std::vector<double> reference_area, current_area;
     };
 
     /** Gap of a column with nothing near (m). */
     static constexpr double no_gap = 1e-2;
+
+    /** Partner of a column with nothing near. */
+    static constexpr unsigned int no_partner =
+      std::numeric_limits<unsigned int>::max();
 
     /** The state after the last apply_impulse(). */
     const ColumnState &

@@ -2,12 +2,15 @@
 #define coapt_coupled_coupled_system_h
 
 #include <coapt/base/timing.h>
+#include <coapt/coupled/pressure_sink.h>
 #include <coapt/coupled/replicated_nodes.h>
 #include <coapt/coupled/state_layout.h>
 #include <coapt/fluid/fluid_grid.h>
 #include <coapt/fluid/fluid_operator.h>
 #include <coapt/immersion/coupling_points.h>
 #include <coapt/solid/solid_operator.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <functional>
 #include <vector>
@@ -60,6 +63,21 @@ namespace coapt
     /** Sets what acts on the solid velocity after each step. */
     void
     set_impulse(const SolidImpulse &impulse);
+
+    /** Sets what takes fluid out of cells. It must live as long as this. */
+    void
+    set_sink(PressureSink *sink)
+    {
+      this->sink = sink;
+    }
+
+    /** Power (W) of the sink in the state @p y, over all ranks. Collective. */
+    double
+    sink_power(const double *y) const
+    {
+      return dealii::Utilities::MPI::sum(
+        sink ? sink->power(y + state_layout.pressure()) : 0., communicator);
+    }
 
     /**
      * Lets held nodes move: after each step they are put where the @p motion
@@ -245,6 +263,7 @@ namespace coapt
     StateLayout<dim> state_layout;
     std::vector<SolidLoad> loads;
     SolidImpulse impulse;
+    PressureSink *sink = nullptr;
     HeldMotion motion;
     double motion_work = 0;
     RelaxationCoefficients coefficients;

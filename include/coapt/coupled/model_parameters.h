@@ -2,6 +2,7 @@
 #define coapt_coupled_model_parameters_h
 
 #include <coapt/contact/contact_parameters.h>
+#include <coapt/coupled/film_parameters.h>
 #include <coapt/coupled/mesh_parameters.h>
 #include <coapt/coupled/prescribed_motion.h>
 #include <coapt/fluid/fluid_parameters.h>
@@ -47,6 +48,7 @@ namespace coapt
     SolidParameters solid;
     ImmersionParameters coupling;
     ContactParameters contact;
+    FilmParameters film;
     MotionParameters motion;
 
     /** Folder of the parameter file, where the files that it names are. */

@@ -7,6 +7,7 @@
 #include <coapt/coupled/coupled_system.h>
 #include <coapt/coupled/flow_indicator.h>
 #include <coapt/coupled/solid_band.h>
+#include <coapt/coupled/sub_grid_film.h>
 #include <coapt/coupled/valve_structure.h>
 
 #include <memory>
@@ -90,6 +91,9 @@ namespace coapt
     std::unique_ptr<CouplingPoints<3>> points;
     std::unique_ptr<CoupledSystem<3>> system;
 
+    /** Empty if films are not drained. */
+    std::unique_ptr<SubGridFilm> film;
+
   private:
     void
     build_fluid();
@@ -127,6 +131,18 @@ namespace coapt
     SolidBand<3> band;
     FlowIndicator<3> flow_indicator;
     std::unique_ptr<CellWork<3>> work;
+
+    void
+    build_film();
+
+    void
+    act_on_film(const double *X, const double dt);
+
+    void
+    update_film(const double *X);
+
+    unsigned int steps_since_film = 0;
+    double time_since_film        = 0;
   };
 } // namespace coapt
 

@@ -7,6 +7,8 @@
 #include <coapt/geometry/simplex_mesh.h>
 #include <coapt/immersion/immersion_parameters.h>
 
+#include <deal.II/base/tensor.h>
+
 #include <mpi.h>
 
 #include <vector>
@@ -66,6 +68,17 @@ namespace coapt
            double *multiplier);
 
     /**
+     * Releases points from the fluid in one direction each: with the vectors
+     * m of @p directions, one for each point of all ranks by its number, and
+     * P = I - m m^T, the force becomes P f and the multiplier follows
+     * lambda' = k P (v - J u) - m (m . lambda)/tau. Zero couples a point
+     * fully, a unit vector frees it from the fluid in that direction, and a
+     * shorter one does so in part. The coupling stays adjoint and dissipative.
+     */
+    void
+    set_release(const std::vector<dealii::Tensor<1, dim>> &directions);
+
+    /**
      * Adds the coupling force to the fluid and its reaction to the solid:
      * f = lambda + beta (v - J u) per volume at each point, spread by the
      * adjoint of the interpolation on both sides, so that momentum and power
@@ -84,7 +97,8 @@ namespace coapt
                double *multiplier_rate);
 
     /** Energy stored in the multiplier, sum w lambda^2 / (2 k), and power
-     * dissipated by the drag, sum w beta |v - J u|^2. J and W, all ranks. */
+     * dissipated by the drag, sum w beta |v - J u|^2, and by release. J and W,
+     * all ranks. */
     struct EnergyAndPower
     {
       double energy      = 0;
@@ -123,6 +137,13 @@ namespace coapt
       return points.size();
     }
 
+    /** All points, by number. */
+    const std::vector<SamplePoint<dim>> &
+    samples() const
+    {
+      return points;
+    }
+
     /** Positions of all points for nodal positions @p X (m), or velocities
      * for nodal velocities. */
     std::vector<dealii::Point<dim>>
@@ -151,6 +172,7 @@ namespace coapt
     {
       std::array<unsigned int, n_fluid> nodes;
       unsigned char constrained; // a bit for each node
+      bool released;             // some of the points in some direction
       unsigned int begin, end;
     };
 
@@ -168,6 +190,9 @@ namespace coapt
 
     static dealii::Point<dim>
     to_point(const Register &x);
+
+    static double
+    dot(const Register &a, const Register &b);
 
     /** Copies one entry of dim numbers for each node. */
     static void
@@ -215,6 +240,9 @@ namespace coapt
     void
     find_runs(const FluidOperator<dim> &fluid);
 
+    void
+    mark_released_runs();
+
     const SimplexMesh<dim> &mesh;
     std::vector<SamplePoint<dim>> points;
     MPI_Comm communicator;
@@ -224,6 +252,9 @@ namespace coapt
     std::vector<Stencil> stencils;
     std::vector<Run> runs;
     unsigned int updates_since_sorting = 0;
+
+    /** Directions of release by the number of the point; empty if none. */
+    std::vector<Lanes> releases;
 
     /** Nodal fields of the solid, for registers. */
     std::vector<Lanes> solid_input, solid_output;

@@ -49,12 +49,14 @@ namespace coapt
 
   /**
    * Coefficients of the relaxed multiplier: lambda' = k (v - J u),
-   * f = lambda + beta (v - J u).
+   * f = lambda + beta (v - J u). Where a point is released from the fluid, its
+   * multiplier decays at the rate 1/tau.
    */
   struct RelaxationCoefficients
   {
     double stiffness = 0; // k, Pa/m^2
     double drag      = 0; // beta, Pa s/m^2
+    double decay     = 0; // 1/tau, 1/s
   };
 
   /**

@@ -51,6 +51,7 @@ namespace coapt
       FluidPowers fluid;       // their time integrals; the ends as above
       double solid_losses = 0;
       double slip_losses  = 0;
+      double film_losses  = 0; // by drainage
 
       /** What has been put in. */
       double
@@ -65,7 +66,8 @@ namespace coapt
       losses() const
       {
         return fluid.viscous + fluid.artificial + fluid.hourglass +
-          fluid.checkerboard + fluid.impedance + solid_losses + slip_losses;
+          fluid.checkerboard + fluid.impedance + solid_losses + slip_losses +
+          film_losses;
       }
     };
 
@@ -118,7 +120,7 @@ namespace coapt
     struct Powers
     {
       FluidPowers fluid;
-      double driven_sides = 0, loads = 0, solid = 0, slip = 0;
+      double driven_sides = 0, loads = 0, solid = 0, slip = 0, film = 0;
 
       // Multiplier energy and its stiffness k, which follows the step length.
       double multiplier = 0, stiffness = 0;

@@ -28,6 +28,7 @@ namespace coapt
     double swept_flow          = 0; // volume swept by the leaflets, a second
     double peak_outflow        = 0; // since the start
     double outflow_volume      = 0; // since the start
+    double drained_volume      = 0; // from films, since the start
     double swept_volume        = 0; // since the start
     double contact_force       = 0;
     double coaptation_force    = 0; // contact and film

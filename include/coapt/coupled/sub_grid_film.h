@@ -1,0 +1,131 @@
+#ifndef coapt_coupled_sub_grid_film_h
+#define coapt_coupled_sub_grid_film_h
+
+#include <coapt/contact/mid_surface_contact.h>
+#include <coapt/coupled/film_parameters.h>
+#include <coapt/coupled/pressure_sink.h>
+#include <coapt/geometry/leaflet.h>
+#include <coapt/immersion/coupling_points.h>
+
+#include <mpi.h>
+
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * The film of fluid between two parts of a leaflet that nearly touch, where
+   * it is thinner than the fluid's cells. Such a film drains within
+   * milliseconds; trapped in cells, it would hold the leaflets apart and carry
+   * the load in the place of contact. So, where the gap is below about a cell,
+   *
+   * - the half of the leaflet that faces the film is released from the fluid
+   *   along the direction to its partner (CouplingPoints::set_release), while
+   *   tangential coupling and the other half keep the seal;
+   * - the cells between the two mid-surfaces drain to the atrial pressure,
+   *   p' = -phi r rho c^2 p with the rate r and the fraction phi of the cell,
+   *   and fill again when the pressure reverses; but not within half a cell of
+   *   the free edge, and fully only a cell from it, so that the sink does not
+   *   draw from the ventricle.
+   *
+   * Where surfaces are further apart than the largest width, nothing is
+   * changed at all.
+   */
+  class SubGridFilm : public PressureSink
+  {
+  public:
+    /** The film of @p leaflet in cells of at least the size @p cell (m) around
+     * it, of a fluid with the bulk modulus rho c^2 (Pa). */
+    SubGridFilm(const Leaflet &leaflet,
+                const FilmParameters &parameters,
+                const double cell,
+                const double bulk_modulus,
+                CouplingPoints<3> &points,
+                const FluidOperator<3> &fluid,
+                MPI_Comm communicator);
+
+    /**
+     * Finds the films at the nodal positions @p X (m) from gaps and normals of
+     * the columns, books what has drained since the last update in the
+     * @p duration (s), and releases coupling points. Due every few steps, and
+     * when the cells of the fluid are new. Collective.
+     */
+    void
+    update(const double *X,
+           const MidSurfaceContact::ColumnState &contact,
+           const double duration);
+
+    void
+    add_rate(const double *pressure, double *pressure_rate) override;
+
+    double
+    power(const double *pressure) const override;
+
+    /** Volume (m^3) that has drained so far, less what has come back; the same
+     * on all ranks. */
+    double
+    drained_volume() const
+    {
+      return volume;
+    }
+
+  private:
+    /** A column in a film. */
+    struct Station
+    {
+      double weight   = 0;    // of the treatment, 0 to 1
+      double drainage = 0;    // the same, for drainage
+      double gap      = 0;    // m
+      bool atrial     = true; // which side faces the film
+      dealii::Tensor<1, 3> normal;
+    };
+
+    /** A draining cell of this rank. */
+    struct Cell
+    {
+      unsigned int number;
+      double volume;   // of the cell, m^3
+      double fraction; // that drains, at most 1
+      double integral; // sum of pressures over evaluations
+    };
+
+    void
+    measure_edge_distances(const Leaflet &leaflet);
+
+    void
+    book(const double duration);
+
+    void
+    find_stations(const double *X,
+                  const MidSurfaceContact::ColumnState &contact);
+
+    double
+    edge_distance_with_partner(const unsigned int column,
+                               const unsigned int partner) const;
+
+    void
+    find_draining_cells(const std::vector<dealii::Point<3>> &positions);
+
+    /** The station of a coupling point, interpolated. */
+    Station
+    station_at(const SamplePoint<3> &point) const;
+
+    const Leaflet &leaflet;
+    const FilmParameters parameters;
+    const double cell;
+    const double bulk_modulus;
+    CouplingPoints<3> &points;
+    const FluidOperator<3> &fluid;
+    const MPI_Comm communicator;
+
+    std::vector<std::array<unsigned int, 3>> triangles;
+    std::vector<unsigned int> column_of_node;
+    std::vector<double> edge_distance; // of columns from the free edge, m
+    std::vector<Station> stations;
+    std::vector<Cell> cells;
+    unsigned int evaluations = 0;
+    double volume            = 0;
+  };
+} // namespace coapt
+
+#endif

@@ -1,0 +1,289 @@
+#include <deal.II/base/mpi.h>
+
+#include <coapt/coupled/sub_grid_film.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coapt
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  namespace
+  {
+    /** One below @p a, zero above @p b, smooth between. */
+    double
+    falling_step(const double x, const double a, const double b)
+    {
+      const double s = std::min(1., std::max(0., (b - x) / (b - a)));
+      return s * s * (3 - 2 * s);
+    }
+
+    /** Zero below @p a, one above @p b, linear between. */
+    double
+    ramp(const double x, const double a, const double b)
+    {
+      return std::min(1., std::max(0., (x - a) / (b - a)));
+    }
+
+    Point<3>
+    node_at(const double *X, const unsigned int node)
+    {
+      return Point<3>(X[3 * node], X[3 * node + 1], X[3 * node + 2]);
+    }
+
+    double
+    distance_from_segment(const Point<3> &x,
+                          const Point<3> &a,
+                          const Point<3> &b)
+    {
+      const Tensor<1, 3> edge = b - a;
+      const double s =
+        std::min(1., std::max(0., (x - a) * edge / edge.norm_square()));
+      return x.distance(a + s * edge);
+    }
+
+    Point<3>
+    middle(const Leaflet &leaflet, const unsigned int column)
+    {
+      const auto &nodes = leaflet.columns[column];
+      return leaflet.mesh.points[nodes.front()] +
+        0.5 *
+        (leaflet.mesh.points[nodes.back()] -
+         leaflet.mesh.points[nodes.front()]);
+    }
+  } // namespace
+
+
+
+  SubGridFilm::SubGridFilm(const Leaflet &leaflet,
+                           const FilmParameters &parameters,
+                           const double cell,
+                           const double bulk_modulus,
+                           CouplingPoints<3> &points,
+                           const FluidOperator<3> &fluid,
+                           MPI_Comm communicator)
+    : leaflet(leaflet)
+    , parameters(parameters)
+    , cell(cell)
+    , bulk_modulus(bulk_modulus)
+    , points(points)
+    , fluid(fluid)
+    , communicator(communicator)
+    , triangles(triangulate(leaflet.quads))
+    , column_of_node(leaflet.mesh.points.size())
+    , stations(leaflet.columns.size())
+  {
+    for (unsigned int c = 0; c < leaflet.columns.size(); ++c)
+      for (const unsigned int node : leaflet.columns[c])
+        column_of_node[node] = c;
+    measure_edge_distances(leaflet);
+  }
+
+
+
+  void
+  SubGridFilm::measure_edge_distances(const Leaflet &leaflet)
+  {
+    const auto &edge = leaflet.free_edge_columns;
+    edge_distance.assign(leaflet.columns.size(), 1e300);
+    for (unsigned int c = 0; c < leaflet.columns.size(); ++c)
+      for (unsigned int i = 0; i < edge.size(); ++i)
+        edge_distance[c] =
+          std::min(edge_distance[c],
+                   distance_from_segment(middle(leaflet, c),
+                                         middle(leaflet, edge[i]),
+                                         middle(leaflet,
+                                                edge[(i + 1) % edge.size()])));
+  }
+
+
+
+  void
+  SubGridFilm::update(const double *X,
+                      const MidSurfaceContact::ColumnState &contact,
+                      const double duration)
+  {
+    book(duration);
+    find_stations(X, contact);
+
+    const std::vector<Point<3>> positions = points.positions(X);
+    std::vector<Tensor<1, 3>> directions(positions.size());
+    for (unsigned int id = 0; id < positions.size(); ++id)
+      {
+        const SamplePoint<3> &point = points.samples()[id];
+        const Station station       = station_at(point);
+        if (station.weight > 0 &&
+            (station.atrial ? point.depth < 0.499 : point.depth > 0.501))
+          directions[id] = std::sqrt(station.weight) * station.normal;
+      }
+    points.set_release(directions);
+    find_draining_cells(positions);
+  }
+
+
+
+  // Pressures are integrated as the mean over the evaluations.
+  void
+  SubGridFilm::book(const double duration)
+  {
+    double sum = 0;
+    for (const Cell &draining : cells)
+      sum += draining.fraction * draining.volume * draining.integral;
+    if (evaluations > 0)
+      sum *= parameters.drainage * duration / evaluations;
+    volume += dealii::Utilities::MPI::sum(sum, communicator);
+    evaluations = 0;
+  }
+
+
+
+  void
+  SubGridFilm::find_stations(const double *X,
+                             const MidSurfaceContact::ColumnState &contact)
+  {
+    const double largest = parameters.largest_width * cell;
+    const double treated = parameters.treated_width * cell;
+    for (unsigned int c = 0; c < stations.size(); ++c)
+      {
+        Station &station = stations[c];
+        station          = Station();
+        if (contact.gap[c] >= largest ||
+            contact.partner[c] == MidSurfaceContact::no_partner)
+          continue;
+        const auto &nodes = leaflet.columns[c];
+        Tensor<1, 3> across =
+          node_at(X, nodes.front()) - node_at(X, nodes.back());
+        across /= across.norm();
+        station.gap    = contact.gap[c];
+        station.normal = contact.normals[c];
+        station.atrial = station.normal * across > 0;
+        // Surfaces that meet edge-on do not enclose a film.
+        station.weight = falling_step(station.gap, treated, largest) *
+          ramp(std::abs(station.normal * across), 0.25, 0.75);
+
+        station.drainage = station.weight *
+          ramp(edge_distance_with_partner(c, contact.partner[c]),
+               0.5 * cell,
+               cell);
+      }
+  }
+
+
+
+  double
+  SubGridFilm::edge_distance_with_partner(const unsigned int column,
+                                          const unsigned int partner) const
+  {
+    double distance = 0;
+    for (const unsigned int corner : triangles[partner])
+      distance += edge_distance[corner] / 3;
+    return std::min(distance, edge_distance[column]);
+  }
+
+
+
+  SubGridFilm::Station
+  SubGridFilm::station_at(const SamplePoint<3> &point) const
+  {
+    Station result;
+    double largest        = -1;
+    double total_in_films = 0;
+    const auto &nodes     = leaflet.mesh.cells[point.cell];
+    for (unsigned int a = 0; a < 4; ++a)
+      {
+        const double share     = point.barycentric[a];
+        const unsigned int c   = column_of_node[nodes[a]];
+        const Station &station = stations[c];
+        result.weight += share * station.weight;
+        result.drainage += share * station.drainage;
+        result.normal += share * station.weight * station.normal;
+        if (station.weight > 0)
+          {
+            total_in_films += share;
+            result.gap += share * station.gap;
+          }
+        if (share > largest)
+          {
+            largest       = share;
+            result.atrial = station.atrial;
+          }
+      }
+    const double length = result.normal.norm();
+    if (!(length > 0))
+      return Station();
+    result.normal /= length;
+    result.gap /= total_in_films;
+    return result;
+  }
+
+
+
+  // The facing half of the leaflet and half of the film are swept by stretching
+  // the coupling points of that half from the mid-surface to the film's middle.
+  void
+  SubGridFilm::find_draining_cells(const std::vector<Point<3>> &positions)
+  {
+    cells.clear();
+    std::vector<unsigned int> entry_of_cell(
+      fluid.n_owned_cells(), dealii::numbers::invalid_unsigned_int);
+    int hint = -1;
+    for (unsigned int id = 0; id < positions.size(); ++id)
+      {
+        const SamplePoint<3> &point = points.samples()[id];
+        const Station station       = station_at(point);
+        const double height =
+          station.atrial ? 1 - 2 * point.depth : 2 * point.depth - 1;
+        if (!(station.drainage > 0) || height < -1e-3)
+          continue;
+        const int found = fluid.locate(
+          positions[id] + 0.5 * height * station.gap * station.normal, hint);
+        hint = found;
+        if (found < 0 || found >= static_cast<int>(fluid.n_owned_cells()))
+          continue;
+        unsigned int &entry = entry_of_cell[found];
+        if (entry == dealii::numbers::invalid_unsigned_int)
+          {
+            entry = cells.size();
+            cells.push_back({static_cast<unsigned int>(found),
+                             std::pow(fluid.cell(found).size, 3),
+                             0.,
+                             0.});
+          }
+        const double half = height < 1e-3 ? 0.5 : 1; // shared with the other
+        const double part = station.drainage * half * point.volume *
+          (1 + station.gap / leaflet.thickness);
+        cells[entry].fraction += part / cells[entry].volume;
+      }
+    for (Cell &draining : cells)
+      draining.fraction = std::min(1., draining.fraction);
+  }
+
+
+
+  void
+  SubGridFilm::add_rate(const double *pressure, double *pressure_rate)
+  {
+    ++evaluations;
+    const double rate = parameters.drainage * bulk_modulus;
+    for (Cell &draining : cells)
+      {
+        const double p = pressure[draining.number];
+        draining.integral += p;
+        pressure_rate[draining.number] -= draining.fraction * rate * p;
+      }
+  }
+
+
+
+  double
+  SubGridFilm::power(const double *pressure) const
+  {
+    double sum = 0;
+    for (const Cell &draining : cells)
+      sum += draining.fraction * draining.volume * parameters.drainage *
+        pressure[draining.number] * pressure[draining.number];
+    return sum;
+  }
+} // namespace coapt

@@ -1,0 +1,226 @@
+// The film between two sheets: what it releases and drains, and what it leaves
+// alone.
+
+#include <coapt/coupled/sub_grid_film.h>
+#include <coapt/fluid/fluid_grid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "../contact/sheets.h"
+#include "tests.h"
+
+using namespace coapt;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  const double h = 1e-3, density = 1060, sound_speed = 50;
+
+  /** Cuts the layers of all quadrilaterals into tetrahedra along diagonals. */
+  void
+  add_tetrahedra(Leaflet &leaflet)
+  {
+    for (unsigned int q = 0; q < leaflet.quads.size(); ++q)
+      for (unsigned int l = 0; l < 2; ++l)
+        {
+          std::array<unsigned int, 8> v;
+          for (unsigned int i = 0; i < 4; ++i)
+            for (unsigned int k = 0; k < 2; ++k)
+              v[i + 4 * k] = leaflet.columns[leaflet.quads[q][i]][l + 1 - k];
+          for (const auto &t : {std::array<unsigned int, 4>{{0, 1, 2, 6}},
+                                {{0, 2, 3, 6}},
+                                {{0, 3, 7, 6}},
+                                {{0, 7, 4, 6}},
+                                {{0, 4, 5, 6}},
+                                {{0, 5, 1, 6}}})
+            {
+              leaflet.mesh.cells.push_back(
+                {{v[t[1]], v[t[0]], v[t[2]], v[t[3]]}});
+              leaflet.cell_quad.push_back(q);
+            }
+        }
+  }
+
+  /**
+   * Two sheets of 8 x 8 mm in a box of fluid, one above the other. The edge
+   * at x = -4 mm is the free one.
+   */
+  struct Film
+  {
+    explicit Film(const FilmParameters &parameters = FilmParameters())
+    {
+      for (const double side : {-1., 1.})
+        {
+          const unsigned int first = sheets.leaflet.columns.size();
+          // Each of them has its first side towards the other.
+          sheets.add(
+            {{8, 8}},
+            [=](const double a, const double b, const double t) {
+              return Point<3>(8e-3 * (a - 0.5),
+                              8e-3 * (b - 0.5) * -side,
+                              0.1 * side - side * t);
+            },
+            64e-6,
+            false);
+          for (unsigned int j = 0; j <= 8; ++j)
+            sheets.leaflet.free_edge_columns.push_back(first +
+                                                       (side < 0 ? j : 8 - j));
+        }
+      add_tetrahedra(sheets.leaflet);
+      contact = std::make_unique<MidSurfaceContact>(sheets.leaflet,
+                                                    sheets.mass,
+                                                    density,
+                                                    ContactParameters(),
+                                                    MPI_COMM_WORLD);
+      grid    = std::make_unique<FluidGrid<3>>(MPI_COMM_WORLD,
+                                            Point<3>(-8e-3, -8e-3, -4e-3),
+                                            Point<3>(8e-3, 8e-3, 4e-3),
+                                            std::array<unsigned int, 3>{
+                                                 {16, 16, 8}});
+      FluidParameters fluid_parameters;
+      FluidBoundaries<3> boundaries;
+      boundaries.type.fill(FluidBoundary::no_slip);
+      fluid = std::make_unique<FluidOperator<3>>(
+        fluid_parameters,
+        boundaries,
+        std::function<double(const Point<3> &)>());
+      fluid->reinit(*grid);
+      points = std::make_unique<CouplingPoints<3>>(
+        sheets.leaflet.mesh,
+        leaflet_lattice(sheets.leaflet, 0.5 * h, 1.),
+        MPI_COMM_WORLD);
+      film = std::make_unique<SubGridFilm>(sheets.leaflet,
+                                           parameters,
+                                           h,
+                                           density * sound_speed * sound_speed,
+                                           *points,
+                                           *fluid,
+                                           MPI_COMM_WORLD);
+      pressure.assign(fluid->n_owned_cells(), 0.);
+    }
+
+    /** Puts the sheets @p gap apart and has the film found. */
+    void
+    set_gap(const double gap, const double duration)
+    {
+      for (unsigned int n = 0; n < sheets.mass.size(); ++n)
+        {
+          const double side   = n < sheets.mass.size() / 2 ? -1 : 1;
+          sheets.X[3 * n + 2] = sheets.leaflet.mesh.points[n][2] -
+            side * (0.1 - 0.5 * (gap + Sheets::thickness));
+        }
+      std::vector<double> V(sheets.X.size(), 0.);
+      contact->apply_impulse(sheets.X.data(), V.data(), 1e-9);
+      film->update(sheets.X.data(), contact->state(), duration);
+      multiplier.clear();
+      points->distribute(*fluid, sheets.X.data(), multiplier);
+    }
+
+    /** Rate at which fluid drains from cells at the @p pressure (m^3/s). */
+    double
+    drainage(const double p)
+    {
+      std::fill(pressure.begin(), pressure.end(), p);
+      std::vector<double> rate(pressure.size(), 0.);
+      film->add_rate(pressure.data(), rate.data());
+      double sum = 0;
+      for (unsigned int c = 0; c < rate.size(); ++c)
+        sum -= rate[c] * std::pow(fluid->cell(c).size, 3) /
+          (density * sound_speed * sound_speed);
+      return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
+    }
+
+    /** Force (N) of the upper sheet on the fluid when it moves downwards or,
+     * with @p axis 0, sideways. */
+    double
+    force_on_fluid(const unsigned int axis)
+    {
+      std::vector<double> u(3 * fluid->n_local_nodes(), 0.), f(u);
+      std::vector<double> V(sheets.X.size(), 0.), F(V), rate(multiplier.size());
+      for (unsigned int n = sheets.mass.size() / 2; n < sheets.mass.size(); ++n)
+        V[3 * n + axis] = -1;
+      points->add_forces({1e13, 2e8, 1e5},
+                         u.data(),
+                         V.data(),
+                         multiplier.data(),
+                         f.data(),
+                         F.data(),
+                         rate.data());
+      double sum = 0;
+      for (unsigned int i = axis; i < F.size(); i += 3)
+        sum += F[i];
+      return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
+    }
+
+    Sheets sheets;
+    std::unique_ptr<MidSurfaceContact> contact;
+    std::unique_ptr<FluidGrid<3>> grid;
+    std::unique_ptr<FluidOperator<3>> fluid;
+    std::unique_ptr<CouplingPoints<3>> points;
+    std::unique_ptr<SubGridFilm> film;
+    std::vector<double> multiplier, pressure;
+  };
+
+  void
+  wide_gaps()
+  {
+    Film film;
+    film.set_gap(5e-3, 0.);
+    const double down = film.force_on_fluid(2);
+    film.set_gap(1.51 * h, 1e-6);
+    check("a gap of 1.51 cells does not drain", film.drainage(1e4) == 0);
+    check("a gap of 1.51 cells couples fully",
+          std::abs(film.force_on_fluid(2) / down - 1) < 1e-12);
+    film.set_gap(0.5 * h, 1e-6);
+    check("a film frees the half that faces it",
+          std::abs(film.force_on_fluid(2) / down - 0.5) < 0.01,
+          film.force_on_fluid(2) / down);
+    check_relative("tangential coupling stays",
+                   film.force_on_fluid(0),
+                   down,
+                   1e-9);
+  }
+
+  void
+  draining()
+  {
+    FilmParameters parameters;
+    const double p = 1e4, gap = 0.5 * h;
+    Film film(parameters);
+    film.set_gap(gap, 0.);
+    // Both halves and the film; nothing at the edge, all a column from it.
+    const double rate = film.drainage(p), area = 8e-3 * 7.5e-3;
+    check_relative("volume that drains",
+                   rate / (parameters.drainage * p),
+                   (gap + Sheets::thickness) * area,
+                   0.12);
+    check("fluid comes back when the pressure reverses",
+          std::abs(film.drainage(-p) / rate + 1) < 1e-12);
+    check_relative("power = pressure times flow",
+                   dealii::Utilities::MPI::sum(
+                     film.film->power(film.pressure.data()), MPI_COMM_WORLD),
+                   p * rate,
+                   1e-9);
+    film.set_gap(gap, 0.); // forgets what has been evaluated
+    const double duration = 1e-5;
+    const double flow     = film.drainage(p);
+    film.set_gap(gap, duration);
+    check_relative("booked volume",
+                   film.film->drained_volume(),
+                   duration * flow,
+                   1e-9);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  wide_gaps();
+  draining();
+}
