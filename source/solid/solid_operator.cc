@@ -1,133 +1,18 @@
 #include <coapt/base/exceptions.h>
-#include <coapt/solid/partition.h>
+#include <coapt/solid/scaled_volume.h>
 #include <coapt/solid/solid_operator.h>
+#include <coapt/solid/solid_setup.h>
 #include <coapt/solid/stress_and_strain.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <numeric>
-#include <sstream>
 
 namespace coapt
 {
   namespace
   {
-    template <int dim, int degree>
-    void
-    check_volumes(const SimplexMesh<dim> &mesh)
-    {
-      const auto volumes  = point_volumes<dim, degree>(mesh);
-      const auto &cells   = elements<dim, degree>(mesh);
-      const auto inverted = [](const double volume) { return !(volume > 0); };
-      unsigned int n_bad  = 0;
-      std::ostringstream list;
-      for (unsigned int i = 0; i < volumes.size(); ++i)
-        if (std::any_of(volumes[i].begin(), volumes[i].end(), inverted) &&
-            ++n_bad <= 10)
-          {
-            dealii::Point<dim> centre;
-            for (const unsigned int node : cells[i])
-              centre += mesh.points[node] / double(cells[i].size());
-            list << (n_bad > 1 ? "; " : "") << i << " at (" << centre * 1e3
-                 << ") mm";
-          }
-      if (n_bad > 0)
-        throw InputError("Solid mesh: " + std::to_string(n_bad) +
-                         " cells are inverted or without volume, all must "
-                         "have positive volume: " +
-                         list.str() + (n_bad > 10 ? "; ..." : "") + ".");
-    }
-
-    void
-    check_size(const std::string &name,
-               const std::size_t size,
-               const std::size_t n_cells)
-    {
-      if (size != n_cells)
-        throw InputError("Solid: " + std::to_string(size) + " " + name +
-                         " are given for " + std::to_string(n_cells) +
-                         " cells, one a cell is needed.");
-    }
-
-    template <int dim>
-    void
-    check_fields(const std::vector<dealii::Tensor<1, dim>> &fibre,
-                 const std::vector<dealii::Tensor<2, dim>> &prestretch,
-                 const bool needs_fibre,
-                 const std::size_t n_cells)
-    {
-      if (needs_fibre || !fibre.empty())
-        check_size("fibres", fibre.size(), n_cells);
-      if (!prestretch.empty())
-        check_size("prestretches", prestretch.size(), n_cells);
-      for (unsigned int i = 0; i < n_cells; ++i)
-        {
-          if (needs_fibre && !(fibre[i].norm() > 0))
-            throw InputError("Solid: the fibre of cell " + std::to_string(i) +
-                             " is zero or not a number, the material needs "
-                             "one in every cell.");
-          if (!prestretch.empty() && !(determinant(prestretch[i]) > 0))
-            throw InputError("Solid: the prestretch of cell " +
-                             std::to_string(i) +
-                             " has no positive determinant.");
-        }
-    }
-
-    template <int dim, int degree>
-    std::vector<double>
-    lumped_mass(const SimplexMesh<dim> &mesh,
-                const double density,
-                const std::vector<double> &added)
-    {
-      std::vector<double> mass(mesh.points.size(), 0.);
-      const unsigned int n_own = mass.size() - added.size();
-      std::copy(added.begin(), added.end(), mass.begin() + n_own);
-      const auto volumes = point_volumes<dim, degree>(mesh);
-      for (unsigned int i = 0; i < volumes.size(); ++i)
-        {
-          const double volume =
-            std::accumulate(volumes[i].begin(), volumes[i].end(), 0.);
-          const auto &nodes = elements<dim, degree>(mesh)[i];
-          for (unsigned int a = 0; a < nodes.size(); ++a)
-            mass[nodes[a]] +=
-              density * volume * CellBatch<dim, degree>::mass_share(a);
-        }
-      std::ostringstream list;
-      unsigned int n_bad = 0;
-      for (unsigned int node = 0; node < n_own; ++node)
-        if (!(mass[node] > 0) && ++n_bad <= 10)
-          list << (n_bad > 1 ? "; " : "") << node << " at ("
-               << mesh.points[node] * 1e3 << ") mm";
-      if (n_bad > 0)
-        throw InputError("Solid mesh: " + std::to_string(n_bad) +
-                         " nodes belong to no cell: " + list.str() +
-                         (n_bad > 10 ? "; ..." : "") + ".");
-      return mass;
-    }
-
-    /** Numbers of the elements that this rank evaluates. */
-    template <int dim, int degree>
-    std::vector<unsigned int>
-    own_elements(const SimplexMesh<dim> &mesh, const MPI_Comm communicator)
-    {
-      if constexpr (degree == 1)
-        return partition_cells(mesh, communicator);
-      else
-        {
-          SimplexMesh<dim> between_vertices;
-          between_vertices.points = mesh.points;
-          for (const auto &nodes : mesh.quadratic_cells)
-            {
-              between_vertices.cells.emplace_back();
-              std::copy_n(nodes.begin(),
-                          dim + 1,
-                          between_vertices.cells.back().begin());
-            }
-          return partition_cells(between_vertices, communicator);
-        }
-    }
-
     /** The entry @p lane of a matrix of batches. */
     template <int dim>
     dealii::Tensor<2, dim>
@@ -138,6 +23,16 @@ namespace coapt
         for (int j = 0; j < dim; ++j)
           result[i][j] = A[i][j][lane];
       return result;
+    }
+
+    template <int dim>
+    SmallMatrix<dim, Batch>
+    scaled(SmallMatrix<dim, Batch> F, const Batch &factor)
+    {
+      for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j)
+          F[i][j] *= factor;
+      return F;
     }
 
     /** Sets what belongs to the cells of an element that are at none of its
@@ -185,6 +80,9 @@ namespace coapt
       build<1>(mesh, fibre, normal, added_mass);
     else if constexpr (dim == 3)
       build<2>(mesh, fibre, normal, added_mass);
+    using Linear = std::vector<CellBatch<dim>>;
+    if (parameters.averages_volume && std::holds_alternative<Linear>(batches))
+      averaging.emplace(std::get<Linear>(batches), n_nodes(), communicator);
     viscous_rate = largest_viscous_rate();
   }
 
@@ -272,6 +170,10 @@ namespace coapt
                                  double *F) const
   {
     with_material([&](const auto &law, const auto &batches) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(batches)>,
+                                   std::vector<CellBatch<dim>>>)
+        if (averaging)
+          return add_averaged_forces(law, batches, X, V, F);
       for (const auto &batch : batches)
         {
           typename std::decay_t<decltype(batch)>::Values x, v, force = {};
@@ -290,6 +192,91 @@ namespace coapt
           batch.add_balanced(force, F);
         }
     });
+  }
+
+  // A cell's mean depends on its neighbours: their share of the derivative, q
+  // over the mean, comes back by the same average, which is symmetric.
+  template <int dim>
+  template <typename Law>
+  void
+  SolidOperator<dim>::add_averaged_forces(
+    const Law &law,
+    const std::vector<CellBatch<dim>> &batches,
+    const double *X,
+    const double *V,
+    double *F) const
+  {
+    using Values                  = typename CellBatch<dim>::Values;
+    const std::vector<Batch> mean = mean_ratios(batches, X);
+    std::vector<Batch> by_mean(batches.size());
+    for (unsigned int b = 0; b < batches.size(); ++b)
+      {
+        const auto &point = batches[b].point[0];
+        Values x, v, force = {};
+        batches[b].load(X, x);
+        batches[b].load(V, v);
+        const ScaledVolume<dim, Batch> scaled(point.gradient_of(x), mean[b]);
+        auto stress     = law.first_piola(scaled.gradient, point.fibre);
+        by_mean[b]      = scaled.pull_back(stress);
+        const auto rate = point.gradient_of(v);
+        for (int i = 0; i < dim; ++i)
+          for (int j = 0; j < dim; ++j)
+            stress[i][j] += viscosity * rate[i][j];
+        point.subtract_divergence(stress, force);
+        batches[b].add_balanced(force, F);
+      }
+    const std::vector<Batch> pressure = averaging->apply(batches, by_mean);
+    for (unsigned int b = 0; b < batches.size(); ++b)
+      {
+        Values x, force = {};
+        batches[b].load(X, x);
+        auto stress = cofactors(batches[b].point[0].gradient_of(x));
+        for (int i = 0; i < dim; ++i)
+          for (int j = 0; j < dim; ++j)
+            stress[i][j] *= pressure[b];
+        batches[b].point[0].subtract_divergence(stress, force);
+        batches[b].add_balanced(force, F);
+      }
+  }
+
+  template <int dim>
+  std::vector<Batch>
+  SolidOperator<dim>::mean_ratios(const std::vector<CellBatch<dim>> &batches,
+                                  const double *X) const
+  {
+    std::vector<Batch> ratios(batches.size());
+    for (unsigned int b = 0; b < batches.size(); ++b)
+      {
+        typename CellBatch<dim>::Values x;
+        batches[b].load(X, x);
+        const auto F = batches[b].point[0].gradient_of(x);
+        ratios[b]    = determinant(F, cofactors(F));
+      }
+    return averaging->apply(batches, ratios);
+  }
+
+  template <int dim>
+  template <typename Cells>
+  std::vector<Batch>
+  SolidOperator<dim>::volume_factors(const std::vector<Cells> &batches,
+                                     const double *X) const
+  {
+    std::vector<Batch> factors(batches.size(), Batch{} + 1.);
+    if constexpr (std::is_same_v<Cells, CellBatch<dim>>)
+      if (averaging)
+        {
+          const std::vector<Batch> mean = mean_ratios(batches, X);
+          for (unsigned int b = 0; b < batches.size(); ++b)
+            {
+              typename Cells::Values x;
+              batches[b].load(X, x);
+              factors[b] =
+                ScaledVolume<dim, Batch>(batches[b].point[0].gradient_of(x),
+                                         mean[b])
+                  .factor;
+            }
+        }
+    return factors;
   }
 
   template <int dim>
@@ -373,12 +360,14 @@ namespace coapt
   {
     Batch sum{};
     with_material([&](const auto &law, const auto &batches) {
-      for (const auto &batch : batches)
+      const std::vector<Batch> factors = volume_factors(batches, X);
+      for (unsigned int b = 0; b < batches.size(); ++b)
         {
-          typename std::decay_t<decltype(batch)>::Values x;
-          batch.load(X, x);
-          for (const auto &point : batch.point)
-            sum += point.volume * law.energy(point.gradient_of(x), point.fibre);
+          typename std::decay_t<decltype(batches[b])>::Values x;
+          batches[b].load(X, x);
+          for (const auto &point : batches[b].point)
+            sum += point.volume *
+              law.energy(scaled(point.gradient_of(x), factors[b]), point.fibre);
         }
     });
     double energy = 0;
@@ -431,6 +420,7 @@ namespace coapt
     const auto evaluate = [&](const auto &law,
                               const auto &point,
                               const SmallMatrix<dim, Batch> &gradient,
+                              const double factor,
                               const unsigned int lane,
                               const unsigned int cell) {
       const auto elastic = extract(gradient, lane);
@@ -439,7 +429,7 @@ namespace coapt
       double fibre[9] = {};
       for (int d = 0; d < dim * dim; ++d)
         fibre[d] = point.fibre[d][lane];
-      const auto F              = embed(elastic);
+      const auto F              = embed(factor * elastic);
       const auto stress         = cauchy_stress(law.first_piola(F, fibre), F);
       local[cell]               = von_mises(stress);
       local[n_cells + cell]     = largest_eigenvalue(stress);
@@ -447,9 +437,11 @@ namespace coapt
       local[3 * n_cells + cell] = determinant(total);
     };
     with_material([&](const auto &law, const auto &batches) {
-      for (const auto &batch : batches)
+      const std::vector<Batch> factors = volume_factors(batches, X);
+      for (unsigned int b = 0; b < batches.size(); ++b)
         {
-          using Cells = std::decay_t<decltype(batch)>;
+          const auto &batch = batches[b];
+          using Cells       = std::decay_t<decltype(batch)>;
           typename Cells::Values x;
           batch.load(X, x);
           for (int q = 0; q < Cells::n_points; ++q)
@@ -459,6 +451,7 @@ namespace coapt
                 evaluate(law,
                          batch.point[q],
                          gradient,
+                         factors[b][lane],
                          lane,
                          Cells::n_parts * batch.cell[lane] + q);
             }

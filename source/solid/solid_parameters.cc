@@ -69,6 +69,14 @@ namespace coapt
                       std::to_string(defaults.density),
                       Double(1, 1e5),
                       "Mass density (kg/m^3).");
+    prm.declare_entry("Averaged volume",
+                      "false",
+                      Bool(),
+                      "Whether the changes of volume of linear elements are "
+                      "averaged over their nodes, so that they do not lock "
+                      "where the material is nearly incompressible. It costs "
+                      "about half of an evaluation more. Without effect on "
+                      "elements of ten nodes.");
     prm.declare_entry("Viscosity",
                       std::to_string(defaults.viscosity),
                       Double(0, 1e6),
@@ -89,9 +97,10 @@ namespace coapt
   SolidParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Solid");
-    material  = prm.get("Material");
-    density   = prm.get_double("Density");
-    viscosity = prm.get_double("Viscosity");
+    material        = prm.get("Material");
+    density         = prm.get_double("Density");
+    viscosity       = prm.get_double("Viscosity");
+    averages_volume = prm.get_bool("Averaged volume");
     read_range(prm.get("Examined stretches"), lowest_stretch, highest_stretch);
     Materials::for_each(*this, [&](auto &law) { law.parse_parameters(prm); });
     prm.leave_subsection();

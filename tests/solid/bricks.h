@@ -58,9 +58,12 @@ namespace bricks
     return mesh;
   }
 
-  /** Elements of four and of ten nodes on the vertices of a linear mesh. @{ */
+  /** Elements of four nodes, the same with averaged volumes, and elements of
+   * ten nodes, on the vertices of a linear mesh. @{ */
   struct Linear
   {
+    static constexpr bool averages_volume = false;
+
     static SimplexMesh<3>
     mesh(const SimplexMesh<3> &linear)
     {
@@ -68,8 +71,15 @@ namespace bricks
     }
   };
 
+  struct Averaged : Linear
+  {
+    static constexpr bool averages_volume = true;
+  };
+
   struct Quadratic
   {
+    static constexpr bool averages_volume = false;
+
     static SimplexMesh<3>
     mesh(const SimplexMesh<3> &linear)
     {
@@ -142,8 +152,9 @@ namespace bricks
     parameters(const Material &material, const double density)
     {
       SolidParameters parameters;
-      parameters.density   = density;
-      parameters.viscosity = 0;
+      parameters.density         = density;
+      parameters.viscosity       = 0;
+      parameters.averages_volume = Element::averages_volume;
       if (const auto *hgo = std::get_if<HolzapfelGasserOgden>(&material))
         parameters.holzapfel_gasser_ogden = *hgo;
       else

@@ -4,11 +4,13 @@
 #include <coapt/solid/cell_batch.h>
 #include <coapt/solid/cell_results.h>
 #include <coapt/solid/materials/material.h>
+#include <coapt/solid/nodal_average.h>
 #include <coapt/solid/solid_parameters.h>
 
 #include <mpi.h>
 
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -25,6 +27,11 @@ namespace coapt
    *
    * The Kelvin-Voigt stress is not objective: a rotation at the rate omega
    * costs a stress of eta omega, some ten Pa for a closing leaflet.
+   *
+   * Linear simplices lock where the material is nearly incompressible. If
+   * asked to, the energy is that of deformation gradients whose ratio of
+   * volumes is a mean over the neighbours (ScaledVolume, NodalAverage), which
+   * leaves a pressure for each node instead of each cell.
    *
    * Every rank knows all nodes: nodal arrays have dim * n_nodes() entries,
    * [dim * node + component]. The elements are divided among the ranks. In 2D
@@ -87,7 +94,8 @@ namespace coapt
 
     /**
      * Subtracts from @p F (N) the internal and viscous forces of this rank's
-     * cells, at the positions @p X (m) and velocities @p V (m/s).
+     * cells, at the positions @p X (m) and velocities @p V (m/s). Collective
+     * where volumes are averaged.
      */
     void
     add_forces(const double *X, const double *V, double *F) const;
@@ -150,6 +158,26 @@ namespace coapt
     double
     largest_viscous_rate() const;
 
+    /** Forces where volumes are averaged. */
+    template <typename Law>
+    void
+    add_averaged_forces(const Law &law,
+                        const std::vector<CellBatch<dim>> &batches,
+                        const double *X,
+                        const double *V,
+                        double *F) const;
+
+    /** Factor of the deformation gradient of each batch: one, but where volumes
+     * are averaged. Collective. */
+    template <typename Cells>
+    std::vector<Batch>
+    volume_factors(const std::vector<Cells> &batches, const double *X) const;
+
+    /** Ratios of volumes of each batch, averaged. Collective. */
+    std::vector<Batch>
+    mean_ratios(const std::vector<CellBatch<dim>> &batches,
+                const double *X) const;
+
     /** Largest stiffness over mass of the batches of this rank. */
     template <typename Law, typename Cells>
     StepBound
@@ -171,6 +199,7 @@ namespace coapt
     std::vector<unsigned int> cells;
     std::vector<dealii::Tensor<2, dim>> prestretch;
     Batches batches;
+    std::optional<NodalAverage<dim>> averaging;
   };
 } // namespace coapt
 

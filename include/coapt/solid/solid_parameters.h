@@ -21,6 +21,10 @@ namespace coapt
     /** Mass density in the reference (kg/m^3). */
     double density = 1060;
 
+    /** Whether the ratios of volumes of linear cells are averaged over the
+     * nodes. */
+    bool averages_volume = false;
+
     /** Kelvin-Voigt viscosity (Pa s). */
     double viscosity = 0.4;
 
