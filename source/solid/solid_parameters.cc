@@ -74,9 +74,9 @@ namespace coapt
                       Bool(),
                       "Whether the changes of volume of linear elements are "
                       "averaged over their nodes, so that they do not lock "
-                      "where the material is nearly incompressible. It costs "
-                      "about half of an evaluation more. Without effect on "
-                      "elements of ten nodes.");
+                      "where the material is nearly incompressible. Forces "
+                      "then take 2.5 times as long. Without effect on elements "
+                      "of ten nodes.");
     prm.declare_entry("Viscosity",
                       std::to_string(defaults.viscosity),
                       Double(0, 1e6),
