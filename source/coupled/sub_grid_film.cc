@@ -256,8 +256,10 @@ namespace coapt
           (1 + station.gap / leaflet.thickness);
         cells[entry].fraction += part / cells[entry].volume;
       }
+    // A cell that reaches into a film with a corner only draws from the
+    // ventricle: a quarter of the film's cells, half of what drained.
     for (Cell &draining : cells)
-      draining.fraction = std::min(1., draining.fraction);
+      draining.fraction = ramp(draining.fraction, 0.25, 0.75);
   }
 
 

@@ -1,3 +1,4 @@
+#include <coapt/geometry/boundary_curves.h>
 #include <coapt/geometry/boundary_faces.h>
 #include <coapt/geometry/coupling_lattice.h>
 #include <coapt/geometry/material_point.h>
@@ -164,6 +165,101 @@ namespace coapt
         }
       return result;
     }
+
+
+
+    /** Of dense points those that are no nearer to others than @p spacing, each
+     * with the volumes of the points around it. */
+    std::vector<PlacedSample<3>>
+    spaced_surface_points(const SimplexMesh<3> &mesh,
+                          const double spacing,
+                          const double depth)
+    {
+      std::vector<PlacedSample<3>> dense =
+        dense_surface_points(mesh, spacing / 20, depth);
+      // In the order of x, with some tolerance, so that points on both sides of
+      // a body along x are chosen alike.
+      std::stable_sort(dense.begin(),
+                       dense.end(),
+                       [&](const auto &p, const auto &q) {
+                         return p.position[0] < q.position[0] - 1e-6 * spacing;
+                       });
+      std::vector<PlacedSample<3>> kept;
+      for (const PlacedSample<3> &candidate : dense)
+        if (std::none_of(kept.begin(), kept.end(), [&](const auto &other) {
+              return other.position.distance(candidate.position) < spacing;
+            }))
+          {
+            kept.push_back(candidate);
+            kept.back().sample.volume = 0;
+          }
+      for (const PlacedSample<3> &part : dense)
+        std::min_element(kept.begin(),
+                         kept.end(),
+                         [&](const auto &p, const auto &q) {
+                           return p.position.distance_square(part.position) <
+                             q.position.distance_square(part.position);
+                         })
+          ->sample.volume += part.sample.volume;
+      return kept;
+    }
+
+
+
+    /** Point at the distance @p s (m) along a curve. */
+    PlacedSample<2>
+    point_on_curve(const SimplexMesh<2> &mesh,
+                   const BoundaryCurve &curve,
+                   double s)
+    {
+      auto edge = curve.edges.begin();
+      for (; edge + 1 != curve.edges.end() && s > edge->length; ++edge)
+        s -= edge->length;
+      const double share = std::min(1., s / edge->length);
+      const auto &cell   = mesh.cells[edge->cell];
+      const std::array<Point<2>, 2> ends{
+        {mesh.points[cell[edge->vertices[0]]],
+         mesh.points[cell[edge->vertices[1]]]}};
+      PlacedSample<2> placed;
+      placed.sample.cell                           = edge->cell;
+      placed.sample.barycentric[edge->vertices[0]] = 1 - share;
+      placed.sample.barycentric[edge->vertices[1]] = share;
+      placed.position = ends[0] + share * (ends[1] - ends[0]);
+      placed.inwards  = inward_normal<2>(ends, centroid(mesh, edge->cell));
+      return placed;
+    }
+
+
+
+    /** Equal steps along each smooth curve of the boundary: the same above and
+     * below the axis of a body along x, or the flow around it would be bent.
+     * From a right corner the first points on both sides are as far from each
+     * other as neighbours on a side. */
+    std::vector<PlacedSample<2>>
+    spaced_surface_points(const SimplexMesh<2> &mesh,
+                          const double spacing,
+                          const double depth)
+    {
+      std::vector<PlacedSample<2>> result;
+      for (const BoundaryCurve &curve : boundary_curves(mesh))
+        {
+          // in units of a step
+          const double margins = curve.closed ? 1 : std::sqrt(2.);
+          const double between = std::max(
+            0., std::floor((curve.length / spacing - margins) * (1 + 1e-9)));
+          const double step = curve.length / (between + margins);
+          for (unsigned int i = 0; i <= between; ++i)
+            {
+              PlacedSample<2> placed =
+                point_on_curve(mesh, curve, (0.5 * margins + i) * step);
+              const unsigned int n_ends = (i == 0) + (i == between);
+              placed.sample.volume =
+                depth * step * (1 + n_ends * (margins - 1) / 2);
+              result.push_back(placed);
+            }
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -203,34 +299,9 @@ namespace coapt
                   const double retraction)
   {
     check_point_spacing(spacing);
-    std::vector<PlacedSample<dim>> dense =
-      dense_surface_points(mesh, spacing / 20, depth);
-    // In the order of x, with some tolerance, so that points on both sides of a
-    // body along x are chosen alike.
-    std::stable_sort(dense.begin(),
-                     dense.end(),
-                     [&](const auto &p, const auto &q) {
-                       return p.position[0] < q.position[0] - 1e-6 * spacing;
-                     });
-    std::vector<PlacedSample<dim>> kept;
-    for (const PlacedSample<dim> &candidate : dense)
-      if (std::none_of(kept.begin(), kept.end(), [&](const auto &other) {
-            return other.position.distance(candidate.position) < spacing;
-          }))
-        {
-          kept.push_back(candidate);
-          kept.back().sample.volume = 0;
-        }
-    for (const PlacedSample<dim> &part : dense)
-      std::min_element(kept.begin(),
-                       kept.end(),
-                       [&](const auto &p, const auto &q) {
-                         return p.position.distance_square(part.position) <
-                           q.position.distance_square(part.position);
-                       })
-        ->sample.volume += part.sample.volume;
     std::vector<SamplePoint<dim>> samples;
-    for (const PlacedSample<dim> &placed : kept)
+    for (const PlacedSample<dim> &placed :
+         spaced_surface_points(mesh, spacing, depth))
       {
         samples.push_back(placed.sample);
         if (retraction > 0)

@@ -22,7 +22,7 @@ namespace coapt
                   const MeanTractions &tractions)
   {
     const auto &state  = valve.contact->state();
-    const auto profile = monitor.coaptation().profile(monitor.gaps(),
+    const auto profile = monitor.coaptation().profile(monitor.coaptation_gaps(),
                                                       tractions.total,
                                                       state.current_area,
                                                       monitor.mid_surface());
@@ -49,7 +49,7 @@ namespace coapt
               const MeanTractions &tractions)
   {
     const auto &state = valve.contact->state();
-    const auto gaps   = monitor.coaptation().gaps(monitor.gaps(),
+    const auto gaps   = monitor.coaptation().gaps(monitor.coaptation_gaps(),
                                                 tractions.total,
                                                 state.current_area,
                                                 monitor.mid_surface());

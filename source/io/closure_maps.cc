@@ -34,9 +34,8 @@ namespace coapt
         return monitor.coaptation().average(values, state.current_area);
       };
       std::vector<double> coapts;
-      for (const bool value : monitor.coaptation().coapting(monitor.gaps(),
-                                                            tractions.total,
-                                                            state.current_area))
+      for (const bool value : monitor.coaptation().coapting(
+             monitor.coaptation_gaps(), tractions.total, state.current_area))
         coapts.push_back(value);
       return {
         {"contact_pressure",
@@ -106,11 +105,12 @@ namespace coapt
                   const MeanTractions &tractions,
                   const std::string &file)
     {
-      const auto &state  = valve.contact->state();
-      const auto profile = monitor.coaptation().profile(monitor.gaps(),
-                                                        tractions.total,
-                                                        state.current_area,
-                                                        monitor.mid_surface());
+      const auto &state = valve.contact->state();
+      const auto profile =
+        monitor.coaptation().profile(monitor.coaptation_gaps(),
+                                     tractions.total,
+                                     state.current_area,
+                                     monitor.mid_surface());
       Statistics table(file, MPI_COMM_SELF);
       for (unsigned int leaflet = 0; leaflet < 2; ++leaflet)
         for (const LineCoaptation &line : profile[leaflet])

@@ -23,6 +23,7 @@ namespace coapt
     , column_traction(valve.leaflet.columns.size(), 0.)
     , valve(valve)
     , belt(valve.leaflet, settings)
+    , past_edge(valve.leaflet)
     , history(valve.leaflet.columns.size(),
               valve.parameters.contact.clearance,
               valve.parameters.valve.thickness)
@@ -210,7 +211,7 @@ namespace coapt
   LeafletMonitor::coaptation(const std::vector<double> &contact_pressure,
                              const std::vector<double> &total_traction) const
   {
-    return belt.evaluate(gaps(),
+    return belt.evaluate(coaptation_gaps(),
                          contact_pressure,
                          total_traction,
                          valve.contact->state().current_area);
@@ -227,6 +228,20 @@ namespace coapt
                                  surface_points,
                                  valve.leaflet.thickness,
                                  belt.gap_limit());
+  }
+
+
+
+  std::vector<double>
+  LeafletMonitor::coaptation_gaps() const
+  {
+    std::vector<double> result = gaps();
+    const std::vector<bool> past =
+      past_edge(surface_points, valve.contact->state().partner);
+    for (unsigned int c = 0; c < result.size(); ++c)
+      if (past[c])
+        result[c] = MidSurfaceContact::no_gap;
+    return result;
   }
 
 

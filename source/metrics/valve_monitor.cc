@@ -2,6 +2,7 @@
 
 #include <deal.II/numerics/rtree.h>
 
+#include <coapt/geometry/vertex_normals.h>
 #include <coapt/metrics/loads.h>
 #include <coapt/metrics/surface_flux.h>
 #include <coapt/metrics/valve_monitor.h>
@@ -137,7 +138,9 @@ namespace coapt
     const std::vector<double> impulse = model.system->take_coupling_impulse();
     const auto &state                 = model.contact->state();
     const std::vector<double> p_v     = ventricular_pressure(y, X);
-    window                            = model.contact->accumulated_time();
+    const std::vector<Tensor<1, 3>> normals =
+      vertex_normals(surface_points, model.surface);
+    window = model.contact->accumulated_time();
 
     for (unsigned int c = 0; c < model.leaflet.columns.size(); ++c)
       {
@@ -154,8 +157,9 @@ namespace coapt
         if (state.normals[c].norm_square() == 0)
           continue;
         column_contact_pressure[c] = state.pressure_impulse[c] / window;
+        const double side          = normals[c] * state.normals[c] < 0 ? -1 : 1;
         column_traction[c]         = column_contact_pressure[c] + p_v[c] -
-          force * state.normals[c] / state.current_area[c];
+          side * (force * normals[c]) / state.current_area[c];
       }
     model.contact->clear_accumulators();
   }

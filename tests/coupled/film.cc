@@ -102,15 +102,16 @@ namespace
       pressure.assign(fluid->n_owned_cells(), 0.);
     }
 
-    /** Puts the sheets @p gap apart and has the film found. */
+    /** Puts the sheets @p gap apart, the film's middle at the height @p middle,
+     * and has the film found. */
     void
-    set_gap(const double gap, const double duration)
+    set_gap(const double gap, const double duration, const double middle = 0)
     {
       for (unsigned int n = 0; n < sheets.mass.size(); ++n)
         {
           const double side   = n < sheets.mass.size() / 2 ? -1 : 1;
           sheets.X[3 * n + 2] = sheets.leaflet.mesh.points[n][2] -
-            side * (0.1 - 0.5 * (gap + Sheets::thickness));
+            side * (0.1 - 0.5 * (gap + Sheets::thickness)) + middle;
         }
       std::vector<double> V(sheets.X.size(), 0.);
       contact->apply_impulse(sheets.X.data(), V.data(), 1e-9);
@@ -191,12 +192,13 @@ namespace
     const double p = 1e4, gap = 0.5 * h;
     Film film(parameters);
     film.set_gap(gap, 0.);
-    // Both halves and the film; nothing at the edge, all a column from it.
+    // Both halves and the film, 1.5 cells, are three quarters of two layers of
+    // cells; nothing at the edge, all a column from it.
     const double rate = film.drainage(p), area = 8e-3 * 7.5e-3;
-    check_relative("volume that drains",
+    check_relative("layers within the film by three quarters drain fully",
                    rate / (parameters.drainage * p),
-                   (gap + Sheets::thickness) * area,
-                   0.12);
+                   2 * h * area,
+                   0.05);
     check("fluid comes back when the pressure reverses",
           std::abs(film.drainage(-p) / rate + 1) < 1e-12);
     check_relative("power = pressure times flow",
@@ -212,6 +214,12 @@ namespace
                    film.film->drained_volume(),
                    duration * flow,
                    1e-9);
+    // 0.35, 1 and 0.15 of three layers, by points that are half a cell apart.
+    film.set_gap(gap, 0., 0.4 * h);
+    check_relative("layers within it by less than a quarter do not",
+                   film.drainage(p) / (parameters.drainage * p),
+                   1.2 * h * area,
+                   0.12);
   }
 } // namespace
 

@@ -196,6 +196,27 @@ namespace
           n_right);
     check(name + ", surface near a point", uncovered < 1.1 * spacing);
   }
+
+  /** Points on the surface of a body that is the same above and below y = 0. */
+  void
+  check_symmetry(const std::string &name, const SimplexMesh<2> &mesh)
+  {
+    const double spacing = 0.07;
+    std::vector<Point<2>> positions;
+    for (const auto &sample : surface_lattice(mesh, spacing, 0.01, 0.01))
+      positions.push_back(position(mesh, sample));
+    double farthest = 0;
+    for (const auto &p : positions)
+      {
+        double distance = 1;
+        for (const auto &q : positions)
+          distance = std::min(distance, q.distance(Point<2>(p[0], -p[1])));
+        farthest = std::max(farthest, distance);
+      }
+    check(name + ", points the same above and below its axis",
+          farthest < 1e-9,
+          farthest);
+  }
 } // namespace
 
 int
@@ -209,4 +230,10 @@ main(int argc, char *argv[])
   check_strip<3>("plate, thickness against x", -1);
   check_surface_points<2>("strip");
   check_surface_points<3>("plate");
+  check_symmetry("disc", disc_body(Point<2>(0.3, 0), 0.5, 0.1).mesh);
+  StripShape<2> flag;
+  flag.begin     = Point<2>(0, 0);
+  flag.end       = Point<2>(1, 0);
+  flag.thickness = Tensor<1, 2>({0., 0.2});
+  check_symmetry("strip", strip_body(flag, 0.1).mesh);
 }

@@ -23,10 +23,11 @@ namespace coapt
    *   along the direction to its partner (CouplingPoints::set_release), while
    *   tangential coupling and the other half keep the seal;
    * - the cells between the two mid-surfaces drain to the atrial pressure,
-   *   p' = -phi r rho c^2 p with the rate r and the fraction phi of the cell,
-   *   and fill again when the pressure reverses; but not within half a cell of
-   *   the free edge, and fully only a cell from it, so that the sink does not
-   *   draw from the ventricle.
+   *   p' = -phi r rho c^2 p with the rate r, and fill again when the pressure
+   *   reverses. phi rises from 0 to 1 with the fraction of the cell that lies
+   *   there, from a quarter to three quarters, and with the distance from the
+   *   free edge, from half a cell to a cell, so that the sink does not draw
+   *   from the ventricle.
    *
    * Where surfaces are further apart than the largest width, nothing is
    * changed at all.

@@ -57,8 +57,11 @@ namespace coapt
   /**
    * Points on the surface of any mesh, for a body that is several fluid cells
    * thick: none nearer to another than @p spacing (m), and none of the surface
-   * further away from all than that. Each stands for the part of the surface
-   * that is nearest to it, with a layer of @p depth (m) below it, and lies
+   * further away from all than that. In two dimensions they follow each curve
+   * of the boundary in equal steps (boundary_curves()), and lie the same above
+   * and below the axis of a body along x: points that do not, bend the flow.
+   * Each stands for the part of the surface that is nearest to it, with a layer
+   * of @p depth (m) below it, and lies
    * @p retraction (m) below the surface itself: interpolated and spread
    * linearly, a force at a point stops the flow some way before it (Breugem
    * 2012, section 3.3, who finds 0.3 cells to give second order).

@@ -8,6 +8,7 @@
 #include <coapt/metrics/contact_history.h>
 #include <coapt/metrics/energy_audit.h>
 #include <coapt/metrics/orifice.h>
+#include <coapt/metrics/past_edge.h>
 #include <coapt/solid/cell_results.h>
 
 #include <functional>
@@ -111,6 +112,11 @@ namespace coapt
     std::vector<double>
     gaps() const;
 
+    /** The same for coaptation: MidSurfaceContact::no_gap where a column hangs
+     * past the edge of what it faces. */
+    std::vector<double>
+    coaptation_gaps() const;
+
     /** Measures the belt of coaptation. */
     const Coaptation &
     coaptation() const
@@ -198,6 +204,7 @@ namespace coapt
 
     const ValveStructure &valve;
     const Coaptation belt;
+    const PastEdge past_edge;
     ContactHistory history;
     std::vector<std::array<unsigned int, 3>> outer_faces; // of the mesh
     CellResults cells;
