@@ -112,11 +112,12 @@ namespace coapt
                       "spacing 1, is for bodies at least two cells thick: the "
                       "flow feels where in a cell the surface is.");
     prm.declare_entry("Retraction",
-                      "0.25",
+                      "0.1667",
                       Double(0, 1),
                       "Depth of the coupling points below a coupled surface "
                       "over the size of the smallest fluid cells (-). The flow "
-                      "comes to rest that much before the points.");
+                      "comes to rest that much before the points: a sixth "
+                      "in the mean of all places in a cell.");
     prm.declare_entry("Damping rate",
                       "0",
                       Double(0),

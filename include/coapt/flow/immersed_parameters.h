@@ -44,7 +44,7 @@ namespace coapt
 
     /** Depth of the points of a coupled surface below it, over the size of the
      * smallest fluid cells. */
-    double retraction = 0.25;
+    double retraction = 0.1667;
 
     /** Rate (1/s) at which the bodies' velocities would decay by a drag in
      * proportion to their mass; it leads to a steady state. */
