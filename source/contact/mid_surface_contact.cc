@@ -231,7 +231,7 @@ namespace coapt
                                  const double *V,
                                  const double stiffness,
                                  const double dt,
-                                 ElasticSlip &history)
+                                 ElasticSlip<3> &history)
   {
     const auto &corner = surface.triangles()[encounter.triangle];
     const auto &area   = columns.current_area;
@@ -252,25 +252,38 @@ namespace coapt
     if (!(inverse > 0) || !(area[column] > 0))
       return false;
 
-    ContactPair pair;
-    pair.gap               = encounter.distance - thickness;
-    pair.normal            = encounter.normal;
-    pair.area              = area[column];
-    pair.reduced_mass      = 1. / inverse;
-    pair.relative_velocity = -surface.average(column, V);
+    const Tensor<1, 3> &normal = encounter.normal;
+    Tensor<1, 3> velocity      = -surface.average(column, V); // of the partner
     for (unsigned int v = 0; v < 3; ++v)
-      pair.relative_velocity +=
-        encounter.weights[v] * surface.average(corner[v], V);
-
-    const ContactImpulse impulse =
-      contact_impulse(pair, parameters, law, stiffness, thickness, dt, history);
-    if (impulse.normal == 0)
+      velocity += encounter.weights[v] * surface.average(corner[v], V);
+    const double opening     = velocity * normal;
+    const double areal_mass  = 1 / (inverse * area[column]);
+    const auto response      = contact_pressure(encounter.distance - thickness,
+                                           opening,
+                                           areal_mass,
+                                           parameters,
+                                           law,
+                                           stiffness,
+                                           0.5 * thickness,
+                                           dt);
+    const Tensor<1, 3> shear = contact_shear<3>(response,
+                                                normal,
+                                                velocity - opening * normal,
+                                                areal_mass,
+                                                parameters,
+                                                dt,
+                                                history);
+    if (response.pressure == 0)
       return false;
+
+    // Each of the two passes has half of the weight.
+    const double impulse          = 0.5 * area[column] * response.pressure * dt;
+    const Tensor<1, 3> tangential = -0.5 * area[column] * dt * shear;
     const auto distribute = [&](const unsigned int c, const double weight) {
       double *sum = &sums[n_slots * c];
-      add(sum + normal_impulse, weight * impulse.normal, pair.normal);
-      add(sum + tangential_impulse, weight, impulse.tangential);
-      sum[pressure] += std::abs(weight) * impulse.normal;
+      add(sum + normal_impulse, weight * impulse, normal);
+      add(sum + tangential_impulse, weight, tangential);
+      sum[pressure] += std::abs(weight) * impulse;
     };
     distribute(column, -1.);
     for (unsigned int v = 0; v < 3; ++v)
@@ -310,7 +323,7 @@ namespace coapt
     sum[partner] = n > 0 ? encounters[0].triangle : no_partner;
     if (n > 0)
       add(sum + direction, 1., encounters[0].normal);
-    std::array<ElasticSlip, 2> now;
+    std::array<ElasticSlip<3>, 2> now;
     for (unsigned int e = 0; e < n; ++e)
       if (encounters[e].distance < onset)
         {
@@ -324,14 +337,14 @@ namespace coapt
 
 
   // The nearest partner and the opposite one may change places.
-  ElasticSlip
+  ElasticSlip<3>
   MidSurfaceContact::history_of(const unsigned int i,
                                 const Tensor<1, 3> &normal) const
   {
-    for (const ElasticSlip &history : histories[i])
+    for (const ElasticSlip<3> &history : histories[i])
       if (history.normal * normal > 0)
         return history;
-    return ElasticSlip();
+    return ElasticSlip<3>();
   }
 
 

@@ -128,11 +128,11 @@ namespace coapt
                 const double *V,
                 const double stiffness,
                 const double dt,
-                ElasticSlip &history);
+                ElasticSlip<3> &history);
 
     /** The history of the i-th own column that continues in a contact with
      * this normal, a new one if there is none. */
-    ElasticSlip
+    ElasticSlip<3>
     history_of(const unsigned int i, const dealii::Tensor<1, 3> &normal) const;
 
     void
@@ -159,7 +159,7 @@ namespace coapt
     std::vector<double> least_distance; // lower bound, by own column
 
     // Of friction, by own column: with the nearest partner and the opposite.
-    std::vector<std::array<ElasticSlip, 2>> histories;
+    std::vector<std::array<ElasticSlip<3>, 2>> histories;
     unsigned int steps_since_check = 0;
 
     std::vector<dealii::Point<3>> points;
