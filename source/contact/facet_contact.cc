@@ -17,28 +17,6 @@ namespace coapt
     /** Facets whose normals have a greater cosine do not face each other. */
     constexpr double facing = -0.1;
 
-    /** Outer facets, with corners such that area_normal() points outwards. */
-    template <int dim>
-    std::vector<std::array<unsigned int, dim>>
-    outer_facets(const SimplexMesh<dim> &mesh)
-    {
-      std::vector<std::array<unsigned int, dim>> facets;
-      for (const BoundaryFace<dim> &face : boundary_faces<dim>(mesh.cells))
-        {
-          auto facet = face.nodes;
-          std::array<Point<dim>, dim> corners;
-          for (unsigned int i = 0; i < dim; ++i)
-            corners[i] = mesh.points[facet[i]];
-          Tensor<1, dim> inwards; // to the cell's centroid, times dim + 1
-          for (const unsigned int node : mesh.cells[face.cell])
-            inwards += mesh.points[node] - corners[0];
-          if (area_normal<dim>(corners) * inwards > 0)
-            std::swap(facet[0], facet[1]);
-          facets.push_back(facet);
-        }
-      return facets;
-    }
-
     std::vector<unsigned int>
     facets_of_rank(const unsigned int n_facets, MPI_Comm communicator)
     {
@@ -56,17 +34,42 @@ namespace coapt
 
 
   template <int dim>
-  FacetContact<dim>::FacetContact(const SimplexMesh<dim> &mesh,
-                                  const std::vector<double> &nodal_mass,
-                                  const std::vector<bool> &held,
-                                  const ContactParameters &parameters,
-                                  const double depth,
-                                  MPI_Comm communicator)
+  std::vector<std::array<unsigned int, dim>>
+  outer_facets(const SimplexMesh<dim> &mesh)
+  {
+    std::vector<std::array<unsigned int, dim>> facets;
+    for (const BoundaryFace<dim> &face : boundary_faces<dim>(mesh.cells))
+      {
+        auto facet = face.nodes;
+        std::array<Point<dim>, dim> corners;
+        for (unsigned int i = 0; i < dim; ++i)
+          corners[i] = mesh.points[facet[i]];
+        Tensor<1, dim> inwards; // to the cell's centroid, times dim + 1
+        for (const unsigned int node : mesh.cells[face.cell])
+          inwards += mesh.points[node] - corners[0];
+        if (area_normal<dim>(corners) * inwards > 0)
+          std::swap(facet[0], facet[1]);
+        facets.push_back(facet);
+      }
+    return facets;
+  }
+
+
+
+  template <int dim>
+  FacetContact<dim>::FacetContact(
+    const SimplexMesh<dim> &mesh,
+    const std::vector<std::array<unsigned int, dim>> &facets,
+    const std::vector<double> &nodal_mass,
+    const std::vector<bool> &held,
+    const ContactParameters &parameters,
+    const double depth,
+    MPI_Comm communicator)
     : parameters(parameters)
     , depth(depth)
     , communicator(communicator)
     , law(parameters)
-    , facets(outer_facets(mesh))
+    , facets(facets)
     , inverse_mass(mesh.points.size())
     , own(facets_of_rank(facets.size(), communicator))
     , search(facets, own)
@@ -155,14 +158,21 @@ namespace coapt
     n_pairs = 0;
     sums.assign(points.size(), NodeSums());
     for (unsigned int i = 0; i < own.size(); ++i)
-      for (const unsigned int partner : search.candidates(i))
-        touch(own[i], partner, V, dt);
+      {
+        unsigned int n_partners = 0;
+        for (const unsigned int partner : search.candidates(i))
+          n_partners += touch(own[i], partner, V, dt);
+        n_pairs += n_partners;
+        if (n_partners > 0)
+          for (const unsigned int node : facets[own[i]])
+            sums[node].share += area_normal<dim>(corners(own[i])).norm() / dim;
+      }
   }
 
 
 
   template <int dim>
-  void
+  bool
   FacetContact<dim>::touch(const unsigned int facet,
                            const unsigned int partner,
                            const double *V,
@@ -173,7 +183,7 @@ namespace coapt
     Vector normal       = area_normal<dim>(here);
     const Vector behind = area_normal<dim>(there);
     if (!(normal * behind < facing * normal.norm() * behind.norm()))
-      return;
+      return false;
     normal /= normal.norm();
     overlap.clear();
     add_overlap<dim>(here, there, overlap);
@@ -206,7 +216,7 @@ namespace coapt
             node.sliding += area * sliding;
           }
       }
-    n_pairs += touching;
+    return touching;
   }
 
 
@@ -233,18 +243,18 @@ namespace coapt
             histories[n] = ElasticSlip<dim>();
             continue;
           }
-        nodal_pressure[n]   = node.pressure / node.area;
+        nodal_pressure[n]   = node.pressure / node.share;
         const Vector normal = node.normal / node.normal.norm();
         Vector sliding      = node.sliding / node.area;
         sliding -= (sliding * normal) * normal;
-        shear[n] =
-          contact_shear<dim>({nodal_pressure[n], node.slope / node.area},
-                             normal,
-                             sliding,
-                             areal_mass,
-                             parameters,
-                             dt,
-                             histories[n]);
+        shear[n] = contact_shear<dim>({node.pressure / node.area,
+                                       node.slope / node.area},
+                                      normal,
+                                      sliding,
+                                      areal_mass,
+                                      parameters,
+                                      dt,
+                                      histories[n]);
       }
   }
 
@@ -309,6 +319,10 @@ namespace coapt
 
 
 
+  template std::vector<std::array<unsigned int, 2>>
+  outer_facets<2>(const SimplexMesh<2> &);
+  template std::vector<std::array<unsigned int, 3>>
+  outer_facets<3>(const SimplexMesh<3> &);
   template class FacetContact<2>;
   template class FacetContact<3>;
 } // namespace coapt

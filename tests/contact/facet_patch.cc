@@ -1,7 +1,5 @@
 // Blocks with different meshes under uniform pressure: so is that of contact.
 
-#include <coapt/geometry/boundary_faces.h>
-
 #include "blocks.h"
 #include "tests.h"
 
@@ -45,10 +43,11 @@ namespace
     const auto &points          = blocks.mesh.points;
     Motion<dim> motion(blocks.mesh,
                        std::vector<bool>(points.size(), false),
+                       coapt::outer_facets(blocks.mesh),
                        parameters,
                        0.2,
                        0.3,
-                       0.5);
+                       true);
     // The other sides are free and flush.
     motion.constrain = [&](std::vector<double> &V) {
       for (unsigned int n = 0; n < points.size(); ++n)
@@ -61,25 +60,13 @@ namespace
         }
     };
 
-    // Pressure on top, for its reference area.
     const double pressure = 5e3;
-    for (const auto &face : coapt::boundary_faces<dim>(blocks.mesh.cells))
-      {
-        std::array<Point, dim> corners;
-        bool on_top = true;
-        for (unsigned int i = 0; i < dim; ++i)
-          {
-            corners[i] = points[face.nodes[i]];
-            on_top     = on_top && corners[i][dim - 1] > 1 - 1e-9;
-          }
-        if (on_top)
-          for (const unsigned int node : face.nodes)
-            motion.external[dim * node + dim - 1] -=
-              pressure * coapt::area_normal<dim>(corners).norm() / dim;
-      }
-
-    for (unsigned int step = 0; step < 4000; ++step)
-      motion.step(60);
+    Point down;
+    down[dim - 1] = -1;
+    motion.load(pressure, down, [](const Point &p) {
+      return p[dim - 1] > 1 - 1e-9;
+    });
+    motion.relax(4000);
     check_relative(name + ": force of contact",
                    motion.result.normal_force,
                    pressure,

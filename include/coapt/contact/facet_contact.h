@@ -12,9 +12,15 @@
 
 namespace coapt
 {
+  /** The outer facets of a mesh, by their nodes, such that area_normal() points
+   * outwards. */
+  template <int dim>
+  std::vector<std::array<unsigned int, dim>>
+  outer_facets(const SimplexMesh<dim> &mesh);
+
   /**
-   * Contact of the outer facets of a solid, of one body with another or with
-   * itself, as an impulse on the velocities after each completed step.
+   * Contact of facets of a solid, of one body with another or with itself, as
+   * an impulse on the velocities after each completed step.
    *
    * Each facet looks along its normal for facets that face it, and a pressure
    * that follows the law of contact (contact_pressure()) acts on both along
@@ -42,12 +48,14 @@ namespace coapt
   {
   public:
     /**
-     * @p nodal_mass holds the mass of each node (kg); nodes in @p held (all of
-     * its size n_nodes) keep their velocity. What is deeper below a surface
-     * than @p depth (m) does not touch it; less than the thickness of the
-     * thinnest part. Throws InputError if sizes do not fit.
+     * @p facets are what may touch, with normals outwards: outer_facets() or
+     * some of them. @p nodal_mass holds the mass of each node (kg); nodes in @p
+     * held (all of its size n_nodes) keep their velocity. What is deeper below
+     * a surface than @p depth (m) does not touch it; less than the thickness of
+     * the thinnest part. Throws InputError if sizes do not fit.
      */
     FacetContact(const SimplexMesh<dim> &mesh,
+                 const std::vector<std::array<unsigned int, dim>> &facets,
                  const std::vector<double> &nodal_mass,
                  const std::vector<bool> &held,
                  const ContactParameters &parameters,
@@ -72,8 +80,8 @@ namespace coapt
     Result
     apply_impulse(const double *X, double *V, const double dt);
 
-    /** Pressure at each node (Pa), the mean over the part of its facets that
-     * has a partner; zero inside of bodies and where nothing is near. After the
+    /** Pressure at each node (Pa): force over area, both shared among the
+     * corners of the facets that touch. Zero where nothing touches. After the
      * last apply_impulse(); the same on all ranks. */
     const std::vector<double> &
     pressure() const;
@@ -90,18 +98,20 @@ namespace coapt
       double pressure;
     };
 
-    /** Integrals over what a node touches, by its shape function. */
+    /** Integrals over what a node touches, by its shape function, and its share
+     * of the facets that touch. */
     struct NodeSums
     {
-      double area = 0, pressure = 0, slope = 0;
+      double area = 0, pressure = 0, slope = 0, share = 0;
       Vector normal, sliding;
-      static constexpr unsigned int n_numbers = 3 + 2 * dim;
+      static constexpr unsigned int n_numbers = 4 + 2 * dim;
     };
 
     void
     find_touches(const double *V, const double dt);
 
-    void
+    /** Returns whether the facets touch. */
+    bool
     touch(const unsigned int facet,
           const unsigned int partner,
           const double *V,
