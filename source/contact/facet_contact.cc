@@ -4,6 +4,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -91,6 +92,7 @@ namespace coapt
     for (unsigned int n = 0; n < points.size(); ++n)
       if (!held[n] && area[n] > 0)
         areal_mass = std::min(areal_mass, 0.5 * nodal_mass[n] / area[n]);
+    exclude_opposite_sides();
   }
 
 
@@ -172,23 +174,54 @@ namespace coapt
 
 
   template <int dim>
+  typename FacetContact<dim>::Vector
+  FacetContact<dim>::find_overlap(const unsigned int facet,
+                                  const unsigned int partner)
+  {
+    const auto here     = corners(facet);
+    const auto there    = corners(partner);
+    const Vector normal = area_normal<dim>(here);
+    const Vector behind = area_normal<dim>(there);
+    overlap.clear();
+    if (normal * behind < facing * normal.norm() * behind.norm())
+      add_overlap<dim>(here, there, overlap);
+    return normal / normal.norm();
+  }
+
+
+
+  template <int dim>
+  void
+  FacetContact<dim>::exclude_opposite_sides()
+  {
+    // Half a thickness is the depth; some more, since thin parts get thinner.
+    const double farthest = 2.5 * depth, touching = 1e-6 * depth;
+    search.find(points, farthest);
+    for (unsigned int i = 0; i < own.size(); ++i)
+      for (const unsigned int partner : search.candidates(i))
+        {
+          find_overlap(own[i], partner);
+          if (std::any_of(overlap.begin(), overlap.end(), [&](const auto &p) {
+                return p.gap > -farthest && p.gap < -touching;
+              }))
+            search.exclude(i, partner);
+        }
+    search.find(points,
+                std::max(parameters.clearance, depth) +
+                  parameters.search_margin);
+  }
+
+
+
+  template <int dim>
   bool
   FacetContact<dim>::touch(const unsigned int facet,
                            const unsigned int partner,
                            const double *V,
                            const double dt)
   {
-    const auto here     = corners(facet);
-    const auto there    = corners(partner);
-    Vector normal       = area_normal<dim>(here);
-    const Vector behind = area_normal<dim>(there);
-    if (!(normal * behind < facing * normal.norm() * behind.norm()))
-      return false;
-    normal /= normal.norm();
-    overlap.clear();
-    add_overlap<dim>(here, there, overlap);
-
-    bool touching = false;
+    const Vector normal = find_overlap(facet, partner);
+    bool touching       = false;
     for (const OverlapPoint<dim> &point : overlap)
       {
         if (point.gap >= parameters.clearance || point.gap < -depth)

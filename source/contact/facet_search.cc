@@ -18,7 +18,7 @@ namespace coapt
   FacetSearch<dim>::FacetSearch(
     const std::vector<std::array<unsigned int, dim>> &facets,
     const std::vector<unsigned int> &own)
-    : facets(facets), own(own), found(own.size())
+    : facets(facets), own(own), found(own.size()), excluded(own.size())
   {
     for (const auto &facet : facets)
       nodes.insert(nodes.end(), facet.begin(), facet.end());
@@ -60,7 +60,10 @@ namespace coapt
             if (std::find_first_of(facet.begin(),
                                    facet.end(),
                                    other.begin(),
-                                   other.end()) == facet.end())
+                                   other.end()) == facet.end() &&
+                std::find(excluded[i].begin(),
+                          excluded[i].end(),
+                          entry.second) == excluded[i].end())
               found[i].push_back(entry.second);
           }
         std::sort(found[i].begin(), found[i].end());

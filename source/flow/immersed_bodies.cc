@@ -106,6 +106,8 @@ namespace coapt
     check_inside();
     if (parameters.immersed->damping_rate > 0)
       add_damping();
+    if (parameters.immersed->has_contact)
+      add_contact();
     for (const auto &coordinates : parameters.immersed->displacement_points)
       displacement_points.push_back(find_material_point(
         body.mesh, to_point<dim>(coordinates), "Body/Displacement points"));
@@ -175,6 +177,40 @@ namespace coapt
         for (unsigned int d = 0; d < dim; ++d)
           F[dim * n + d] -= parameters.immersed->damping_rate *
             solid.mass()[n] * V[dim * n + d];
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  ImmersedBodies<dim>::add_contact()
+  {
+    const ImmersedParameters &immersed = *parameters.immersed;
+    const double h                     = model.smallest_cell_size();
+    ContactParameters law;
+    law.clearance     = immersed.clearance * h;
+    law.friction      = immersed.friction;
+    law.max_stiffness = std::numeric_limits<double>::max();
+    law.search_margin = h;
+    double thinnest   = std::numeric_limits<double>::max();
+    for (const BodyParameters &one : immersed.bodies)
+      thinnest = std::min(thinnest,
+                          one.shape == "disc"     ? 2 * one.radius
+                            : one.shape == "ring" ? one.width
+                                                  : one.thickness);
+    contact.emplace(body.mesh,
+                    outer_facets(body.mesh),
+                    solid.mass(),
+                    held,
+                    law,
+                    0.5 * thinnest,
+                    model.communicator);
+    system.set_impulse([this](const double *X, double *V, const double dt) {
+      const auto result = contact->apply_impulse(X, V, dt);
+      audit.add_contact_work(dt *
+                             (result.normal_power + result.friction_power));
+      contact_impulse += dt * result.normal_force;
     });
   }
 
@@ -308,6 +344,12 @@ namespace coapt
     row.emplace_back("energy_error_relative", audit.relative_error(y));
     for (unsigned int d = 0; d < dim; ++d)
       row.emplace_back("body_force_" + axis(d) + "_N", mean_force[d]);
+    if (contact)
+      {
+        row.emplace_back("contact_force_N",
+                         interval > 0 ? contact_impulse / interval : 0.);
+        contact_impulse = 0;
+      }
     for (unsigned int i = 0; i < displacement_points.size(); ++i)
       {
         const auto u = displacement(body.mesh, displacement_points[i], X);

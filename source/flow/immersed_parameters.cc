@@ -112,12 +112,26 @@ namespace coapt
                       "spacing 1, is for bodies at least two cells thick: the "
                       "flow feels where in a cell the surface is.");
     prm.declare_entry("Retraction",
-                      "0.1667",
+                      "0.25",
                       Double(0, 1),
                       "Depth of the coupling points below a coupled surface "
                       "over the size of the smallest fluid cells (-). The flow "
-                      "comes to rest that much before the points: a sixth "
-                      "in the mean of all places in a cell.");
+                      "comes to rest a sixth to a quarter of a cell before "
+                      "the points.");
+    prm.declare_entry("Contact",
+                      "false",
+                      Bool(),
+                      "Whether bodies touch each other and themselves, face "
+                      "against face.");
+    prm.declare_entry("Contact clearance",
+                      "1",
+                      Double(0, 10),
+                      "Gap at which contact begins over the size of the "
+                      "smallest fluid cells (-).");
+    prm.declare_entry("Friction coefficient",
+                      "0.2",
+                      Double(0, 10),
+                      "Coulomb's coefficient of friction between bodies (-).");
     prm.declare_entry("Damping rate",
                       "0",
                       Double(0),
@@ -174,6 +188,9 @@ namespace coapt
     element_size        = prm.get_double("Element size");
     couples_surface     = prm.get("Coupled part") == "surface";
     retraction          = prm.get_double("Retraction");
+    has_contact         = prm.get_bool("Contact");
+    clearance           = prm.get_double("Contact clearance");
+    friction            = prm.get_double("Friction coefficient");
     damping_rate        = prm.get_double("Damping rate");
     held                = prm.get("Held");
     displacement_points = read_points("Body/Displacement points",

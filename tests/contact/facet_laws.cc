@@ -55,9 +55,10 @@ namespace
             const unsigned int n = side > 0 ? 4 : 5;
             blocks.add({{n, n, 2}}, [=](const Point<3> &p) {
               const double wave = 0.03 * std::sin(7 * p[0] + 5 * p[1]);
+              // apart in the reference, where nothing may overlap
               return Point<3>(p[0] + 0.1 * side,
                               p[1],
-                              wave + (side > 0 ? 0.5 : -0.5) * p[2] -
+                              wave + (side > 0 ? 1 + 0.5 * p[2] : -0.5 * p[2]) -
                                 0.01 * side);
             });
             // the second coordinate of the other one runs backwards
@@ -75,6 +76,9 @@ namespace
                          0.1,
                          0.3,
                          false);
+        for (unsigned int n = 0; n < held.size(); ++n)
+          if (motion.X[3 * n + 2] > 0.5)
+            motion.X[3 * n + 2] -= 1;
         for (double &v : motion.V)
           v = 0.5 * noise();
         const auto before      = momenta(motion.mass, motion.X, motion.V);

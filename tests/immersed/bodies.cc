@@ -1,6 +1,6 @@
 // Verification files with bodies on coarse meshes: the pressures of a ring at
 // rest, a disc that keeps its area while it is carried around, and a plate that
-// shuts a channel.
+// shuts a channel, leaflets that touch.
 #include "flow/run_study.h"
 #include "tests.h"
 
@@ -68,6 +68,18 @@ namespace
     check("plate, leak below 0.1 mm/s", std::abs(leak) < 0.1e-3, leak);
     check_energy("plate", runs[0]);
   }
+
+  void
+  leaflets()
+  {
+    const auto runs    = study("valve_2d", "0", "50e-3", "40e-3");
+    const double force = figure(runs[0], "contact_force_N_mean");
+    check("leaflets touch", force > 1 && force < 20, force);
+    const double y = figure(runs[0], "body_1_centroid_y_m_mean") +
+      figure(runs[0], "body_2_centroid_y_m_mean");
+    check("alike on both sides", std::abs(y - 20e-3) < 20e-6, y);
+    check_energy("leaflets", runs[0]);
+  }
 } // namespace
 
 int
@@ -77,4 +89,5 @@ main(int argc, char *argv[])
   ring();
   disc();
   plate();
+  leaflets();
 }

@@ -29,6 +29,9 @@ namespace coapt
    * nothing hooks there. Each facet has a turn, with half of the weight: two
    * passes.
    *
+   * What lies opposite within the solid in the reference, such as the sides of
+   * an acute edge, is no partner.
+   *
    * Friction (contact_shear()) is that of the nodes, with the means of
    * pressure, normal and sliding velocity over what they touch; its traction
    * is interpolated between them. Normal forces conserve momentum and its
@@ -106,6 +109,15 @@ namespace coapt
       Vector normal, sliding;
       static constexpr unsigned int n_numbers = 4 + 2 * dim;
     };
+
+    /** Leaves out what lies behind the own facets in the reference. */
+    void
+    exclude_opposite_sides();
+
+    /** Unit normal of a facet and, in the overlap, what of the other one lies
+     * on it if it faces this one. */
+    Vector
+    find_overlap(const unsigned int facet, const unsigned int partner);
 
     void
     find_touches(const double *V, const double dt);

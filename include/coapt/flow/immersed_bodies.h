@@ -1,6 +1,7 @@
 #ifndef coapt_flow_immersed_bodies_h
 #define coapt_flow_immersed_bodies_h
 
+#include <coapt/contact/facet_contact.h>
 #include <coapt/coupled/coupled_system.h>
 #include <coapt/flow/flow_model.h>
 #include <coapt/geometry/body_shapes.h>
@@ -12,6 +13,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,6 +95,9 @@ namespace coapt
     void
     add_damping();
 
+    void
+    add_contact();
+
     std::vector<bool>
     held_nodes() const;
 
@@ -127,6 +132,7 @@ namespace coapt
     std::vector<bool> held;
     LargestFrequency<dim> solid_frequency;
     EnergyAudit<dim> audit;
+    std::optional<FacetContact<dim>> contact;
     std::vector<MaterialPoint<dim>> displacement_points;
     std::vector<double> initial_volumes; // of the bodies
 
@@ -135,6 +141,7 @@ namespace coapt
     double last_sample             = 0; // time
     double outflow                 = 0; // since the last sample, m^3
     double last_volume             = 0; // behind the strips
+    double contact_impulse         = 0; // since the last sample, N s
     dealii::Tensor<1, dim> mean_force, last_momentum;
     std::vector<std::pair<double, std::string>> field_files;
   };

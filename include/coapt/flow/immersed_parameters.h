@@ -44,7 +44,12 @@ namespace coapt
 
     /** Depth of the points of a coupled surface below it, over the size of the
      * smallest fluid cells. */
-    double retraction = 0.1667;
+    double retraction = 0.25;
+
+    /** Whether bodies touch each other and themselves, at what gap over the
+     * size of the smallest fluid cells, and Coulomb's coefficient. */
+    bool has_contact = false;
+    double clearance = 1, friction = 0.2;
 
     /** Rate (1/s) at which the bodies' velocities would decay by a drag in
      * proportion to their mass; it leads to a steady state. */
