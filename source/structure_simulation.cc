@@ -18,6 +18,16 @@ namespace coapt
     {
       return 2 / omega * (std::sqrt(1 + xi * xi) - xi);
     }
+
+    /** The model with leaflets as heavy as with the blood that moves with
+     * them. */
+    ModelParameters
+    with_added_mass(const SimulationParameters &parameters)
+    {
+      ModelParameters model = parameters.model;
+      model.solid.density *= 1 + parameters.structure.added_mass;
+      return model;
+    }
   } // namespace
 
 
@@ -29,7 +39,7 @@ namespace coapt
     : parameters(parameters)
     , log(log)
     , communicator(communicator)
-    , valve(parameters.model, communicator)
+    , valve(with_added_mass(parameters), communicator)
     , system(valve, parameters.structure, timing)
     , monitor(valve, system)
     , integrator([this](const double t,

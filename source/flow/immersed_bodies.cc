@@ -154,7 +154,7 @@ namespace coapt
                           body.mesh.cells.begin() + range.second);
         const double spacing = immersed.coupling.spacing * h;
         auto samples         = immersed.couples_surface
-                  ? surface_lattice(mesh, spacing, h, immersed.retraction * h)
+                  ? surface_lattice(mesh, spacing, h)
                   : simplex_lattice(mesh, spacing);
         for (SamplePoint<dim> &sample : samples)
           sample.cell += range.first;

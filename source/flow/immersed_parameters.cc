@@ -111,13 +111,6 @@ namespace coapt
                       "moves by whole cells. surface, with Coupling/Point "
                       "spacing 1, is for bodies at least two cells thick: the "
                       "flow feels where in a cell the surface is.");
-    prm.declare_entry("Retraction",
-                      "0.25",
-                      Double(0, 1),
-                      "Depth of the coupling points below a coupled surface "
-                      "over the size of the smallest fluid cells (-). The flow "
-                      "comes to rest a sixth to a quarter of a cell before "
-                      "the points.");
     prm.declare_entry("Contact",
                       "false",
                       Bool(),
@@ -187,7 +180,6 @@ namespace coapt
     prm.enter_subsection("Body");
     element_size        = prm.get_double("Element size");
     couples_surface     = prm.get("Coupled part") == "surface";
-    retraction          = prm.get_double("Retraction");
     has_contact         = prm.get_bool("Contact");
     clearance           = prm.get_double("Contact clearance");
     friction            = prm.get_double("Friction coefficient");

@@ -1,7 +1,6 @@
 #include <coapt/geometry/boundary_curves.h>
 #include <coapt/geometry/boundary_faces.h>
 #include <coapt/geometry/coupling_lattice.h>
-#include <coapt/geometry/material_point.h>
 
 #include <algorithm>
 #include <cmath>
@@ -295,8 +294,7 @@ namespace coapt
   std::vector<SamplePoint<dim>>
   surface_lattice(const SimplexMesh<dim> &mesh,
                   const double spacing,
-                  const double depth,
-                  const double retraction)
+                  const double depth)
   {
     check_point_spacing(spacing);
     std::vector<SamplePoint<dim>> samples;
@@ -304,15 +302,7 @@ namespace coapt
          spaced_surface_points(mesh, spacing, depth))
       {
         samples.push_back(placed.sample);
-        if (retraction > 0)
-          {
-            const MaterialPoint<dim> inside =
-              find_material_point(mesh,
-                                  placed.position + retraction * placed.inwards,
-                                  "Retracted coupling point");
-            samples.back().cell        = inside.cell;
-            samples.back().barycentric = inside.weights;
-          }
+        samples.back().outwards = -1. * placed.inwards;
       }
     return samples;
   }
@@ -324,13 +314,7 @@ namespace coapt
   template std::vector<SamplePoint<3>>
   simplex_lattice<3>(const SimplexMesh<3> &, const double);
   template std::vector<SamplePoint<2>>
-  surface_lattice<2>(const SimplexMesh<2> &,
-                     const double,
-                     const double,
-                     const double);
+  surface_lattice<2>(const SimplexMesh<2> &, const double, const double);
   template std::vector<SamplePoint<3>>
-  surface_lattice<3>(const SimplexMesh<3> &,
-                     const double,
-                     const double,
-                     const double);
+  surface_lattice<3>(const SimplexMesh<3> &, const double, const double);
 } // namespace coapt

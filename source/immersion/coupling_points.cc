@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <coapt/immersion/coupling_points.h>
+#include <coapt/immersion/wall_offset.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 namespace coapt
 {
   using dealii::Point;
+  using dealii::Tensor;
 
   template <int dim>
   CouplingPoints<dim>::CouplingPoints(
@@ -162,7 +164,7 @@ namespace coapt
     for (unsigned int id = 0; id < points.size(); ++id)
       {
         Stencil stencil = unplaced_stencil(id);
-        if (!place(stencil, fluid, solid_value(stencil, positions)) ||
+        if (!place(stencil, id, fluid, positions) ||
             fluid.cell(stencil.cell).owner_rank != rank)
           continue;
         ids.push_back(id);
@@ -294,11 +296,54 @@ namespace coapt
 
 
   template <int dim>
+  typename CouplingPoints<dim>::Register
+  CouplingPoints<dim>::coupled_position(
+    const unsigned int id,
+    const Register &x,
+    const typename FluidOperator<dim>::Cell &cell,
+    const std::vector<Lanes> &nodes) const
+  {
+    const Tensor<1, dim> &N = points[id].outwards;
+    if (N.norm_square() == 0)
+      return x;
+    // n ~ F^-T N with F = (edges now) (edges in the reference)^-1
+    const auto &corners = mesh.cells[points[id].cell];
+    Tensor<2, dim> edges;
+    Tensor<1, dim> along;
+    for (unsigned int a = 0; a < dim; ++a)
+      {
+        const Register edge =
+          nodes[corners[a + 1]].values - nodes[corners[0]].values;
+        for (unsigned int d = 0; d < dim; ++d)
+          edges[a][d] = edge[d];
+        along[a] = N * (mesh.points[corners[a + 1]] - mesh.points[corners[0]]);
+      }
+    Tensor<1, dim> normal = invert(edges) * along;
+    normal /= normal.norm();
+    Point<dim> wall;
+    for (unsigned int d = 0; d < dim; ++d)
+      wall[d] = (x[d] - cell.lower[d]) / cell.size;
+    const double depth = cell.size * wall_offset(wall, normal);
+    Register result    = x;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] -= depth * normal[d];
+    return result;
+  }
+
+
+
+  template <int dim>
   bool
   CouplingPoints<dim>::place(Stencil &stencil,
+                             const unsigned int id,
                              const FluidOperator<dim> &fluid,
-                             const Register &x)
+                             const std::vector<Lanes> &nodes) const
   {
+    Register x     = solid_value(stencil, nodes);
+    const int wall = fluid.locate(to_point(x));
+    if (wall < 0)
+      return false;
+    x               = coupled_position(id, x, fluid.cell(wall), nodes);
     const int found = fluid.locate(to_point(x));
     if (found < 0)
       return false;
@@ -324,7 +369,10 @@ namespace coapt
         for (unsigned int q = run.begin; q < run.end; ++q)
           {
             Stencil &s   = stencils[q];
-            const auto x = solid_value(s, solid_input);
+            const auto x = coupled_position(ids[q],
+                                            solid_value(s, solid_input),
+                                            cell,
+                                            solid_input);
             std::array<double, dim> local;
             bool inside = true;
             for (unsigned int d = 0; d < dim; ++d)
@@ -338,7 +386,7 @@ namespace coapt
                 rescale(s, run.constrained);
               }
             // Otherwise the old weights stay until points are distributed.
-            else if (!place(s, fluid, x))
+            else if (!place(s, ids[q], fluid, solid_input))
               all_found = false;
           }
       }

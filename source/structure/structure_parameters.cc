@@ -3,6 +3,14 @@
 
 namespace coapt
 {
+  double
+  StructureParameters::damping_rate() const
+  {
+    return mass_damping / (1 + added_mass);
+  }
+
+
+
   void
   StructureParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
@@ -29,11 +37,19 @@ namespace coapt
                       "File surface_load.csv of the run in blood, sought "
                       "beside the parameter file. The valve must be the same, "
                       "its elements need not.");
+    prm.declare_entry("Added mass",
+                      std::to_string(defaults.added_mass),
+                      dealii::Patterns::Double(0., 1e3),
+                      "Mass of the blood that moves with the leaflets over "
+                      "their own (-). It slows them down before they shut, as "
+                      "blood does, and steps grow with the root of one plus "
+                      "this. The closed valve at rest does not depend on it.");
     prm.declare_entry("Mass damping",
                       std::to_string(defaults.mass_damping),
                       dealii::Patterns::Double(0., 1e6),
-                      "Force against the velocity, per mass (1/s), in the "
-                      "place of the blood that would slow the leaflets down.");
+                      "Force against the velocity, per mass of the leaflets "
+                      "alone (1/s), in the place of the blood that would slow "
+                      "them down.");
     prm.leave_subsection();
   }
 
@@ -46,6 +62,7 @@ namespace coapt
     in_blood         = prm.get("Fluid") == "blood";
     uniform_pressure = prm.get("Load") == "pressure";
     load_file        = prm.get("Load file");
+    added_mass       = prm.get_double("Added mass");
     mass_damping     = prm.get_double("Mass damping");
     prm.leave_subsection();
     if (!in_blood && !uniform_pressure && load_file.empty())

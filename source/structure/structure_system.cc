@@ -10,7 +10,7 @@ namespace coapt
   StructureSystem::StructureSystem(ValveStructure &valve,
                                    const StructureParameters &parameters,
                                    Timing &timing)
-    : mass_damping(parameters.mass_damping)
+    : mass_damping(parameters.damping_rate())
     , valve(valve)
     , timing(timing)
     , pressure(valve.leaflet)

@@ -143,16 +143,24 @@ namespace
     const double spacing = 0.05, depth = 0.01;
     const auto samples   = surface_lattice(strip.mesh, spacing, depth);
     const double upper[] = {1, 0.2, 0.5};
+    // Negative outside.
+    const auto distance_inside = [&](const Point<dim> &x) {
+      double distance = 1;
+      for (unsigned int d = 0; d < dim; ++d)
+        distance = std::min({distance, x[d], upper[d] - x[d]});
+      return distance;
+    };
     double volume = 0, farthest = 0;
+    unsigned int n_outwards = 0;
+    const double step       = 1e-6;
     std::vector<Point<dim>> positions;
     for (const auto &sample : samples)
       {
         volume += sample.volume;
         const Point<dim> x = position(strip.mesh, sample);
-        double distance    = 1;
-        for (unsigned int d = 0; d < dim; ++d)
-          distance = std::min({distance, x[d], upper[d] - x[d]});
-        farthest = std::max(farthest, std::abs(distance));
+        farthest           = std::max(farthest, std::abs(distance_inside(x)));
+        n_outwards +=
+          std::abs(distance_inside(x + step * sample.outwards) + step) < 1e-12;
         positions.push_back(x);
       }
     const double area = dim == 2 ? 2.4 : 2 * (0.2 + 0.5 + 0.1);
@@ -175,25 +183,9 @@ namespace
           uncovered = std::max(uncovered, distance);
         }
     check(name + ", distance between points", nearest >= spacing, nearest);
-    const double retraction = 0.02;
-    unsigned int n_right = 0, n_near_edge = 0, n_other = 0;
-    for (const auto &sample :
-         surface_lattice(strip.mesh, spacing, depth, retraction))
-      {
-        const Point<dim> x = position(strip.mesh, sample);
-        double below       = 1;
-        for (unsigned int d = 0; d < dim; ++d)
-          below = std::min({below, x[d], upper[d] - x[d]});
-        if (std::abs(below - retraction) < 1e-12)
-          ++n_right;
-        else if (below > 0 && below < retraction)
-          ++n_near_edge; // nearer to another side of the box
-        else
-          ++n_other;
-      }
-    check(name + ", points below its surface",
-          n_other == 0 && n_right > 2 * n_near_edge,
-          n_right);
+    check(name + ", normals of its points",
+          n_outwards == samples.size(),
+          n_outwards);
     check(name + ", surface near a point", uncovered < 1.1 * spacing);
   }
 
@@ -203,7 +195,7 @@ namespace
   {
     const double spacing = 0.07;
     std::vector<Point<2>> positions;
-    for (const auto &sample : surface_lattice(mesh, spacing, 0.01, 0.01))
+    for (const auto &sample : surface_lattice(mesh, spacing, 0.01))
       positions.push_back(position(mesh, sample));
     double farthest = 0;
     for (const auto &p : positions)

@@ -14,6 +14,7 @@ subsection Structure
   set Load         = recorded
   set Load file    = surface_load.csv
   set Mass damping = 0
+  set Added mass   = 0
 end
 ")
 execute_process(COMMAND ${PROGRAM} recorded.prm WORKING_DIRECTORY ${FOLDER}

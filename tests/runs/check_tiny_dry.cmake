@@ -1,7 +1,8 @@
 # Runs tiny_dry.prm of the folder SOURCE with PROGRAM on 1 and 2 ranks, in FOLDER,
 # with tetrahedra of the kind ELEMENT.
 # Asserts that all results are there, that nothing speaks of blood, that energy is
-# balanced, and that every column of the statistics is the same on both to 1e-9.
+# balanced, that every column of the statistics is the same on both to 1e-9, and that
+# added mass makes steps longer.
 cmake_minimum_required(VERSION 3.19)
 
 function(require condition_text)
@@ -48,3 +49,17 @@ execute_process(COMMAND awk -F, -f ${SOURCE}/compare_statistics.awk
   RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
 message("${output}")
 require("The statistics of 1 and 2 ranks differ." code EQUAL 0)
+
+# Leaflets four times as heavy need half as many steps.
+file(READ ${FOLDER}/1/results/summary.json text)
+string(JSON steps GET "${text}" steps)
+file(APPEND ${FOLDER}/1/tiny_dry.prm
+  "subsection Structure\n  set Added mass = 3\nend\nsubsection Output\n  set Overwrite = true\nend\n")
+execute_process(COMMAND ${PROGRAM} tiny_dry.prm WORKING_DIRECTORY ${FOLDER}/1
+  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+require("Exit code ${code} with added mass:\n${output}" code EQUAL 0)
+file(READ ${FOLDER}/1/results/summary.json text)
+string(JSON fewer_steps GET "${text}" steps)
+math(EXPR percent "100 * ${fewer_steps} / ${steps}")
+require("${fewer_steps} steps with added mass, ${steps} without"
+  percent GREATER 40 AND percent LESS 60)

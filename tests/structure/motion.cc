@@ -179,6 +179,7 @@ namespace
     ValveStructure valve(parameters, MPI_COMM_WORLD);
     StructureParameters structure;
     structure.in_blood     = false;
+    structure.added_mass   = 0;
     structure.mass_damping = 200;
     Timing timing;
     StructureSystem system(valve, structure, timing);

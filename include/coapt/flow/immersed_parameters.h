@@ -42,10 +42,6 @@ namespace coapt
      * and not in their whole volume. */
     bool couples_surface = false;
 
-    /** Depth of the points of a coupled surface below it, over the size of the
-     * smallest fluid cells. */
-    double retraction = 0.25;
-
     /** Whether bodies touch each other and themselves, at what gap over the
      * size of the smallest fluid cells, and Coulomb's coefficient. */
     bool has_contact = false;

@@ -4,6 +4,7 @@
 #include <coapt/geometry/leaflet.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/tensor.h>
 
 #include <array>
 #include <vector>
@@ -21,6 +22,10 @@ namespace coapt
 
     /** Reference volume (m^3; m^2 in 2D). */
     double volume = 0;
+
+    /** Unit normal of the surface that the point lies on, in the reference,
+     * towards the fluid; zero for points that couple a volume. */
+    dealii::Tensor<1, dim> outwards;
 
     /** Surface quadrilateral of a leaflet; invalid for other meshes. */
     unsigned int quad = dealii::numbers::invalid_unsigned_int;
@@ -61,10 +66,7 @@ namespace coapt
    * of the boundary in equal steps (boundary_curves()), and lie the same above
    * and below the axis of a body along x: points that do not, bend the flow.
    * Each stands for the part of the surface that is nearest to it, with a layer
-   * of @p depth (m) below it, and lies
-   * @p retraction (m) below the surface itself: interpolated and spread
-   * linearly, a force at a point stops the flow some way before it (Breugem
-   * 2012, section 3.3, who finds 0.3 cells to give second order).
+   * of @p depth (m) below it, and knows the normal of the surface.
    *
    * Where a body's interior is coupled, too, the fluid's nodes around it are
    * all fixed, whatever the place of the surface between them; a surface with
@@ -74,10 +76,7 @@ namespace coapt
    */
   template <int dim>
   std::vector<SamplePoint<dim>>
-  surface_lattice(const SimplexMesh<dim> &mesh,
-                  double spacing,
-                  double depth,
-                  double retraction = 0);
+  surface_lattice(const SimplexMesh<dim> &mesh, double spacing, double depth);
 
   /** Throws InputError unless the @p spacing (m) of points is positive. */
   void

@@ -228,10 +228,23 @@ namespace coapt
     bool
     move(const FluidOperator<dim> &fluid);
 
-    /** Finds cell and weights of a point at @p x; returns whether its cell is
-     * known, and otherwise leaves what was there. */
-    static bool
-    place(Stencil &stencil, const FluidOperator<dim> &fluid, const Register &x);
+    /** Position of the point with the number @p id that belongs to @p x of
+     * the solid, in a fluid with cells like @p cell: below the surface, if it
+     * is one of a surface (wall_offset()). Needs the solid's nodes @p nodes. */
+    Register
+    coupled_position(const unsigned int id,
+                     const Register &x,
+                     const typename FluidOperator<dim>::Cell &cell,
+                     const std::vector<Lanes> &nodes) const;
+
+    /** Finds cell and weights of the point with the number @p id for the nodes
+     * @p nodes of the solid; returns whether its cell is known, and otherwise
+     * leaves what was there. */
+    bool
+    place(Stencil &stencil,
+          const unsigned int id,
+          const FluidOperator<dim> &fluid,
+          const std::vector<Lanes> &nodes) const;
 
     /** Puts the points in the order of their cells. */
     void

@@ -20,8 +20,17 @@ namespace coapt
     /** File with the load on the mid-surface over time. */
     std::string load_file;
 
-    /** Damping in proportion to the mass, in the place of the blood (1/s). */
+    /** Mass of blood that moves with the leaflets, over theirs (-). */
+    double added_mass = 8;
+
+    /** Drag in proportion to the leaflets' own mass, in the place of the blood
+     * (1/s). */
     double mass_damping = 1000;
+
+    /** Rate at which the drag slows down the leaflets with the blood that moves
+     * with them (1/s). */
+    double
+    damping_rate() const;
 
     /** Declares the subsection. */
     static void
