@@ -56,6 +56,8 @@ namespace coapt
     add({{"stress_mean_kPa", s.mean_stress / kilopascal},
          {"principal_stress_mean_kPa", s.mean_principal / kilopascal},
          {"strain_mean", s.mean_strain},
+         {"smallest_stretch", s.smallest_stretch},
+         {"distorted_cells", s.distorted_cells},
          {"velocity_max_m_per_s", s.largest_velocity}});
     if (in_blood)
       add({{"slip_rms_m_per_s", s.slip_rms},
@@ -327,6 +329,14 @@ namespace coapt
     result.set("stress_mean_kPa", last.mean_stress / kilopascal);
     result.set("principal_stress_mean_kPa", last.mean_principal / kilopascal);
     result.set("strain_mean", last.mean_strain);
+    double smallest_stretch = 1, distorted_cells = 0;
+    for (const ValveSample &sample : samples)
+      {
+        smallest_stretch = std::min(smallest_stretch, sample.smallest_stretch);
+        distorted_cells  = std::max(distorted_cells, sample.distorted_cells);
+      }
+    result.set("smallest_stretch", smallest_stretch);
+    result.set("distorted_cells_largest_number", distorted_cells);
     result.set("end_time_s", last.time);
     if (settings.in_blood)
       result.set("fluid_cells", cost.fluid_cells);

@@ -178,6 +178,10 @@ namespace coapt
         sample.mean_stress += weight * cells.von_mises[c];
         sample.mean_principal += weight * cells.principal_stress[c];
         sample.mean_strain += weight * cells.largest_strain[c];
+        sample.smallest_stretch =
+          std::min(sample.smallest_stretch, cells.smallest_stretch[c]);
+        sample.distorted_cells += cells.smallest_stretch[c] <
+          valve.parameters.solid.distortion_threshold;
       }
     sample.mean_stress /= volume;
     sample.mean_principal /= volume;

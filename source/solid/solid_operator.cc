@@ -1,7 +1,9 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/solid/scaled_volume.h>
+#include <coapt/solid/sheet_state.h>
 #include <coapt/solid/solid_operator.h>
 #include <coapt/solid/solid_setup.h>
+#include <coapt/solid/stability.h>
 #include <coapt/solid/stress_and_strain.h>
 
 #include <deal.II/base/mpi.h>
@@ -84,6 +86,11 @@ namespace coapt
     if (parameters.averages_volume && std::holds_alternative<Linear>(batches))
       averaging.emplace(std::get<Linear>(batches), n_nodes(), communicator);
     viscous_rate = largest_viscous_rate();
+    if (parameters.controls_distortion)
+      distortion.emplace(mesh,
+                         cells,
+                         parameters.distortion_threshold,
+                         largest_wave_modulus_at_rest(material));
   }
 
   template <int dim>
@@ -169,6 +176,8 @@ namespace coapt
                                  const double *V,
                                  double *F) const
   {
+    if (distortion)
+      distortion->add_forces(X, F);
     with_material([&](const auto &law, const auto &batches) {
       if constexpr (std::is_same_v<std::decay_t<decltype(batches)>,
                                    std::vector<CellBatch<dim>>>)
@@ -370,7 +379,7 @@ namespace coapt
               law.energy(scaled(point.gradient_of(x), factors[b]), point.fibre);
         }
     });
-    double energy = 0;
+    double energy = distortion ? distortion->energy(X) : 0.;
     for (unsigned int lane = 0; lane < batch_size; ++lane)
       energy += sum[lane];
     return dealii::Utilities::MPI::sum(energy, communicator);
@@ -415,7 +424,7 @@ namespace coapt
   SolidOperator<dim>::cell_results(const double *X) const
   {
     const auto n_cells               = volumes.size();
-    constexpr unsigned int n_results = 4;
+    constexpr unsigned int n_results = 5;
     std::vector<double> local(n_results * n_cells, 0.), global(local.size());
     const auto evaluate = [&](const auto &law,
                               const auto &point,
@@ -434,7 +443,8 @@ namespace coapt
       local[cell]               = von_mises(stress);
       local[n_cells + cell]     = largest_eigenvalue(stress);
       local[2 * n_cells + cell] = largest_strain(embed(total));
-      local[3 * n_cells + cell] = determinant(total);
+      local[3 * n_cells + cell] = smallest_stretch(embed(total)).value;
+      local[4 * n_cells + cell] = determinant(total);
     };
     with_material([&](const auto &law, const auto &batches) {
       const std::vector<Batch> factors = volume_factors(batches, X);
@@ -466,7 +476,7 @@ namespace coapt
       return std::vector<double>(global.begin() + i * n_cells,
                                  global.begin() + (i + 1) * n_cells);
     };
-    return {part(0), part(1), part(2), part(3)};
+    return {part(0), part(1), part(2), part(3), part(4)};
   }
 
   template <int dim>

@@ -81,6 +81,17 @@ namespace coapt
                       std::to_string(defaults.viscosity),
                       Double(0, 1e6),
                       "Kelvin-Voigt viscosity (Pa s).");
+    prm.declare_entry("Distortion control",
+                      "false",
+                      Bool(),
+                      "Whether cells that are crushed below the distortion "
+                      "threshold are stiffened.");
+    prm.declare_entry("Distortion threshold",
+                      std::to_string(defaults.distortion_threshold),
+                      Double(1e-3, 0.9),
+                      "Smallest principal stretch, relative to the mesh (no "
+                      "unit), below which a cell counts as distorted. The "
+                      "summary says how many did.");
     prm.declare_entry("Examined stretches",
                       "",
                       List(Double(0.01, 100), 0, 2),
@@ -97,10 +108,12 @@ namespace coapt
   SolidParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Solid");
-    material        = prm.get("Material");
-    density         = prm.get_double("Density");
-    viscosity       = prm.get_double("Viscosity");
-    averages_volume = prm.get_bool("Averaged volume");
+    material             = prm.get("Material");
+    density              = prm.get_double("Density");
+    viscosity            = prm.get_double("Viscosity");
+    averages_volume      = prm.get_bool("Averaged volume");
+    controls_distortion  = prm.get_bool("Distortion control");
+    distortion_threshold = prm.get_double("Distortion threshold");
     read_range(prm.get("Examined stretches"), lowest_stretch, highest_stretch);
     Materials::for_each(*this, [&](auto &law) { law.parse_parameters(prm); });
     prm.leave_subsection();

@@ -43,6 +43,23 @@ namespace coapt
     return moduli;
   }
 
+  double
+  largest_wave_modulus_at_rest(const Material &material)
+  {
+    SmallMatrix<3, double> rest{};
+    for (int i = 0; i < 3; ++i)
+      rest[i][i] = 1;
+    const auto directions = sheet_directions(0);
+    return std::visit(
+      [&](const auto &law) {
+        return wave_moduli(material_tangent(law, rest, directions.data()))
+          .largest;
+      },
+      material);
+  }
+
+
+
   namespace
   {
     /** Smaller eigenvalue (Pa) of the derivative of the two normal stresses to

@@ -51,6 +51,8 @@ namespace coapt
     double mean_stress         = 0; // von Mises
     double mean_principal      = 0; // largest principal stress
     double mean_strain         = 0; // largest logarithmic
+    double smallest_stretch    = 1; // of all cells, relative to the mesh
+    double distorted_cells     = 0; // below Solid/Distortion threshold
     double energy_error        = 0;
     EnergyAudit<3>::Works works;
     EnergyAudit<3>::Energies energies;

@@ -18,6 +18,9 @@ namespace coapt
     /** Largest logarithmic strain relative to the mesh, without prestretch. */
     std::vector<double> largest_strain;
 
+    /** Smallest principal stretch relative to the mesh, without prestretch. */
+    std::vector<double> smallest_stretch;
+
     /** Volume over that in the mesh. */
     std::vector<double> volume_ratio;
   };

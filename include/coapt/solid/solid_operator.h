@@ -3,6 +3,7 @@
 
 #include <coapt/solid/cell_batch.h>
 #include <coapt/solid/cell_results.h>
+#include <coapt/solid/distortion_control.h>
 #include <coapt/solid/materials/material.h>
 #include <coapt/solid/nodal_average.h>
 #include <coapt/solid/solid_parameters.h>
@@ -32,6 +33,9 @@ namespace coapt
    * asked to, the energy is that of deformation gradients whose ratio of
    * volumes is a mean over the neighbours (ScaledVolume, NodalAverage), which
    * leaves a pressure for each node instead of each cell.
+   *
+   * Crushed cells can be stiffened (DistortionControl); the frequencies of
+   * step_bound() are those without it.
    *
    * Every rank knows all nodes: nodal arrays have dim * n_nodes() entries,
    * [dim * node + component]. The elements are divided among the ranks. In 2D
@@ -200,6 +204,7 @@ namespace coapt
     std::vector<dealii::Tensor<2, dim>> prestretch;
     Batches batches;
     std::optional<NodalAverage<dim>> averaging;
+    std::optional<DistortionControl<dim>> distortion;
   };
 } // namespace coapt
 

@@ -28,6 +28,11 @@ namespace coapt
     /** Kelvin-Voigt viscosity (Pa s). */
     double viscosity = 0.4;
 
+    /** Smallest principal stretch below which a cell counts as distorted, and
+     * whether such cells are stiffened. */
+    double distortion_threshold = 0.1;
+    bool controls_distortion    = false;
+
     /** Smallest and largest stretch in the tangent plane for which
      * stability_warning() examines the material; none if they are equal. */
     double lowest_stretch = 1, highest_stretch = 1;

@@ -23,6 +23,10 @@ namespace coapt
   wave_moduli(const MaterialTangent &tangent,
               const unsigned int n_directions = 200);
 
+  /** Largest modulus of a plane wave in the @p material at rest (Pa). */
+  double
+  largest_wave_modulus_at_rest(const Material &material);
+
   /** A state of a thin sheet (SheetState) in which its tangent is not
    * positive. */
   struct Instability
