@@ -222,6 +222,30 @@ namespace coapt
 
 
 
+  void
+  ValveReport::set_distortion(Summary &result) const
+  {
+    const ValveSample &crushed =
+      *std::min_element(samples.begin(),
+                        samples.end(),
+                        [](const auto &a, const auto &b) {
+                          return a.smallest_stretch < b.smallest_stretch;
+                        });
+    double most = 0;
+    for (const ValveSample &sample : samples)
+      most = std::max(most, sample.distorted_cells);
+    Summary place;
+    place.set("time_s", crushed.time);
+    place.set("x_mm", crushed.crushed_place[0] / millimetre);
+    place.set("y_mm", crushed.crushed_place[1] / millimetre);
+    place.set("z_mm", crushed.crushed_place[2] / millimetre);
+    result.set("smallest_stretch", crushed.smallest_stretch);
+    result.set("smallest_stretch_in_mesh", place);
+    result.set("distorted_cells_largest_number", most);
+  }
+
+
+
   MeanTractions
   ValveReport::mean_tractions() const
   {
@@ -329,14 +353,7 @@ namespace coapt
     result.set("stress_mean_kPa", last.mean_stress / kilopascal);
     result.set("principal_stress_mean_kPa", last.mean_principal / kilopascal);
     result.set("strain_mean", last.mean_strain);
-    double smallest_stretch = 1, distorted_cells = 0;
-    for (const ValveSample &sample : samples)
-      {
-        smallest_stretch = std::min(smallest_stretch, sample.smallest_stretch);
-        distorted_cells  = std::max(distorted_cells, sample.distorted_cells);
-      }
-    result.set("smallest_stretch", smallest_stretch);
-    result.set("distorted_cells_largest_number", distorted_cells);
+    set_distortion(result);
     result.set("end_time_s", last.time);
     if (settings.in_blood)
       result.set("fluid_cells", cost.fluid_cells);

@@ -159,6 +159,24 @@ namespace coapt
 
 
   void
+  LeafletMonitor::measure_distortion(ValveSample &sample) const
+  {
+    const std::vector<double> &stretch = cells.smallest_stretch;
+    const double threshold = valve.parameters.solid.distortion_threshold;
+    sample.distorted_cells =
+      std::count_if(stretch.begin(), stretch.end(), [&](const double value) {
+        return value < threshold;
+      });
+    const auto least        = std::min_element(stretch.begin(), stretch.end());
+    sample.smallest_stretch = *least;
+    const auto &mesh        = valve.leaflet.mesh;
+    for (const unsigned int node : mesh.cells[least - stretch.begin()])
+      sample.crushed_place += mesh.points[node] / 4.;
+  }
+
+
+
+  void
   LeafletMonitor::measure_solid(const double t,
                                 const std::vector<double> &X,
                                 const std::vector<double> &V,
@@ -178,14 +196,11 @@ namespace coapt
         sample.mean_stress += weight * cells.von_mises[c];
         sample.mean_principal += weight * cells.principal_stress[c];
         sample.mean_strain += weight * cells.largest_strain[c];
-        sample.smallest_stretch =
-          std::min(sample.smallest_stretch, cells.smallest_stretch[c]);
-        sample.distorted_cells += cells.smallest_stretch[c] <
-          valve.parameters.solid.distortion_threshold;
       }
     sample.mean_stress /= volume;
     sample.mean_principal /= volume;
     sample.mean_strain /= volume;
+    measure_distortion(sample);
 
     sample.swept_flow =
       swept_rate(surface_points, mid_velocities(V), valve.surface);

@@ -9,6 +9,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace coapt
@@ -90,7 +91,8 @@ namespace coapt
       distortion.emplace(mesh,
                          cells,
                          parameters.distortion_threshold,
-                         largest_wave_modulus_at_rest(material));
+                         largest_wave_modulus_at_rest(material),
+                         nodal_mass);
   }
 
   template <int dim>
@@ -346,6 +348,13 @@ namespace coapt
     with_material([&](const auto &law, const auto &batches) {
       bound = local_step_bound(law, batches, X);
     });
+    if (distortion)
+      {
+        const auto control = distortion->frequency_bound(X);
+        if (control.square > bound.omega * bound.omega)
+          bound.cell = control.cell;
+        bound.omega = std::sqrt(bound.omega * bound.omega + control.square);
+      }
 
     struct
     {
@@ -443,7 +452,7 @@ namespace coapt
       local[cell]               = von_mises(stress);
       local[n_cells + cell]     = largest_eigenvalue(stress);
       local[2 * n_cells + cell] = largest_strain(embed(total));
-      local[3 * n_cells + cell] = smallest_stretch(embed(total)).value;
+      local[3 * n_cells + cell] = smallest_stretch(embed(total));
       local[4 * n_cells + cell] = determinant(total);
     };
     with_material([&](const auto &law, const auto &batches) {

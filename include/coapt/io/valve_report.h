@@ -116,6 +116,11 @@ namespace coapt
     double
     peak_reynolds() const;
 
+    /** Sets the smallest stretch of the run, where in the mesh and when, and
+     * how many cells were distorted at a time. */
+    void
+    set_distortion(Summary &result) const;
+
     /** What can be seen of the orifice; in blood, also what its jet tells, with
      * the @p density of the blood. */
     Summary

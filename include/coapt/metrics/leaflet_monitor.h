@@ -54,6 +54,7 @@ namespace coapt
     double smallest_stretch    = 1; // of all cells, relative to the mesh
     double distorted_cells     = 0; // below Solid/Distortion threshold
     double energy_error        = 0;
+    dealii::Point<3> crushed_place; // of the smallest stretch, in the mesh
     EnergyAudit<3>::Works works;
     EnergyAudit<3>::Energies energies;
     std::array<double, ChordaePeaks::n_classes> chordae_tension{};
@@ -193,6 +194,10 @@ namespace coapt
      * within the annulus. */
     std::function<bool(const dealii::Point<3> &)>
     in_lumen() const;
+
+    /** Smallest stretch, where it is, and the number of distorted cells. */
+    void
+    measure_distortion(ValveSample &sample) const;
 
     /** Largest displacement of the leaflet, and of each set of held nodes. */
     void

@@ -34,8 +34,8 @@ namespace coapt
    * volumes is a mean over the neighbours (ScaledVolume, NodalAverage), which
    * leaves a pressure for each node instead of each cell.
    *
-   * Crushed cells can be stiffened (DistortionControl); the frequencies of
-   * step_bound() are those without it.
+   * Crushed cells can be stiffened (DistortionControl), for which
+   * step_bound() makes room before it happens.
    *
    * Every rank knows all nodes: nodal arrays have dim * n_nodes() entries,
    * [dim * node + component]. The elements are divided among the ranks. In 2D
