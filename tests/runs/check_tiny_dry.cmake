@@ -50,11 +50,12 @@ execute_process(COMMAND awk -F, -f ${SOURCE}/compare_statistics.awk
 message("${output}")
 require("The statistics of 1 and 2 ranks differ." code EQUAL 0)
 
-# Leaflets four times as heavy need half as many steps.
+# Leaflets four times as heavy, with the same drag for their mass, move half as fast and
+# need at most half as many steps.
 file(READ ${FOLDER}/1/results/summary.json text)
 string(JSON steps GET "${text}" steps)
 file(APPEND ${FOLDER}/1/tiny_dry.prm
-  "subsection Structure\n  set Added mass = 3\nend\nsubsection Output\n  set Overwrite = true\nend\n")
+  "subsection Structure\n  set Added mass = 3\n  set Mass damping = 8e4\nend\nsubsection Output\n  set Overwrite = true\nend\n")
 execute_process(COMMAND ${PROGRAM} tiny_dry.prm WORKING_DIRECTORY ${FOLDER}/1
   RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
 require("Exit code ${code} with added mass:\n${output}" code EQUAL 0)
@@ -62,4 +63,4 @@ file(READ ${FOLDER}/1/results/summary.json text)
 string(JSON fewer_steps GET "${text}" steps)
 math(EXPR percent "100 * ${fewer_steps} / ${steps}")
 require("${fewer_steps} steps with added mass, ${steps} without"
-  percent GREATER 40 AND percent LESS 60)
+  percent GREATER 20 AND percent LESS 60)
