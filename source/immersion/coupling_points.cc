@@ -19,6 +19,7 @@ namespace coapt
     MPI_Comm communicator)
     : mesh(mesh)
     , points(points)
+    , on_surface(!points.empty() && points[0].outwards.norm_square() > 0)
     , communicator(communicator)
     , solid_input(mesh.points.size())
     , solid_output(mesh.points.size())
@@ -304,8 +305,6 @@ namespace coapt
     const std::vector<Lanes> &nodes) const
   {
     const Tensor<1, dim> &N = points[id].outwards;
-    if (N.norm_square() == 0)
-      return x;
     // n ~ F^-T N with F = (edges now) (edges in the reference)^-1
     const auto &corners = mesh.cells[points[id].cell];
     Tensor<2, dim> edges;
@@ -343,8 +342,9 @@ namespace coapt
     const int wall = fluid.locate(to_point(x));
     if (wall < 0)
       return false;
-    x               = coupled_position(id, x, fluid.cell(wall), nodes);
-    const int found = fluid.locate(to_point(x));
+    if (on_surface)
+      x = coupled_position(id, x, fluid.cell(wall), nodes);
+    const int found = on_surface ? fluid.locate(to_point(x)) : wall;
     if (found < 0)
       return false;
     const auto &cell = fluid.cell(found);
@@ -368,11 +368,10 @@ namespace coapt
         const double inverse_size = 1 / cell.size;
         for (unsigned int q = run.begin; q < run.end; ++q)
           {
-            Stencil &s   = stencils[q];
-            const auto x = coupled_position(ids[q],
-                                            solid_value(s, solid_input),
-                                            cell,
-                                            solid_input);
+            Stencil &s = stencils[q];
+            Register x = solid_value(s, solid_input);
+            if (on_surface)
+              x = coupled_position(ids[q], x, cell, solid_input);
             std::array<double, dim> local;
             bool inside = true;
             for (unsigned int d = 0; d < dim; ++d)

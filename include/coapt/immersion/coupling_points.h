@@ -32,7 +32,9 @@ namespace coapt
   class CouplingPoints
   {
   public:
-    /** @p points of all ranks, the same list on each of them. */
+    /** @p points of all ranks, the same list on each of them; either all of a
+     * surface, with normals, or all of a volume. Those of a surface lie below
+     * it such that the flow comes to rest at the surface (wall_offset()). */
     CouplingPoints(const SimplexMesh<dim> &mesh,
                    const std::vector<SamplePoint<dim>> &points,
                    MPI_Comm communicator);
@@ -228,9 +230,9 @@ namespace coapt
     bool
     move(const FluidOperator<dim> &fluid);
 
-    /** Position of the point with the number @p id that belongs to @p x of
-     * the solid, in a fluid with cells like @p cell: below the surface, if it
-     * is one of a surface (wall_offset()). Needs the solid's nodes @p nodes. */
+    /** Position of the point of a surface with the number @p id, which is at
+     * @p x on the solid, in a fluid with cells like @p cell: below the surface
+     * by wall_offset(). Needs the solid's nodes @p nodes. */
     Register
     coupled_position(const unsigned int id,
                      const Register &x,
@@ -258,6 +260,9 @@ namespace coapt
 
     const SimplexMesh<dim> &mesh;
     std::vector<SamplePoint<dim>> points;
+
+    /** Whether the points are those of surfaces: all or none are. */
+    bool on_surface;
     MPI_Comm communicator;
 
     /** Owned points, by cell except for what has moved since sorting. */
