@@ -73,6 +73,8 @@ namespace coapt
     ends.parse_parameters(prm);
     valve.parse_parameters(prm);
     import.parse_parameters(prm);
+    if (!import.is_wanted)
+      valve.check();
     solid.parse_parameters(prm);
     coupling.parse_parameters(prm);
     contact.parse_parameters(prm);

@@ -1,4 +1,3 @@
-#include <coapt/base/exceptions.h>
 #include <coapt/coupled/valve_structure.h>
 #include <coapt/geometry/cell_normals.h>
 #include <coapt/geometry/valve_generator.h>
@@ -36,9 +35,6 @@ namespace coapt
     make_leaflet(const ModelParameters &parameters,
                  const ImportedValve *imported)
     {
-      if (imported != nullptr && parameters.valve.quadratic)
-        throw InputError("Valve/Element is P2, but an imported valve consists "
-                         "of tetrahedra of four nodes, P1.");
       if (imported != nullptr)
         return imported->leaflet();
       Leaflet leaflet = generate_leaflet(parameters.valve);

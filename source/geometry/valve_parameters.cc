@@ -161,7 +161,8 @@ namespace coapt
        &P::n_layers,
        1,
        16,
-       "Number of elements through the thickness; two bend acceptably."},
+       "Number of elements through the thickness; two, for elements of ten "
+       "nodes one whole one, bend as they should."},
       {"Root rows",
        &P::n_root_rows,
        1,
@@ -292,10 +293,12 @@ namespace coapt
         "Element",
         P().quadratic ? "P2" : "P1",
         Patterns::Selection("P1|P2"),
-        "Tetrahedra of four nodes (P1) or of ten (P2), which bend better. The "
-        "numbers of elements given here are those between neighbouring nodes: "
-        "an element of ten nodes is as large as two of them in each direction. "
-        "They must be even for P2, around the valve a multiple of eight.");
+        "Tetrahedra of ten nodes (P2) or of four (P1), which bend 2.5 times "
+        "too stiffly. The numbers of elements given here are those between "
+        "neighbouring nodes: an element of ten nodes is as large as two of "
+        "them in each direction. They must be even for P2, around the valve a "
+        "multiple of eight. For generated valves: imported ones have four "
+        "nodes.");
       prm.declare_entry(
         "Annulus",
         "straps",
@@ -392,7 +395,6 @@ namespace coapt
     secondary_heights             = get_list(prm, "Secondary heights", 1);
     removed_chordae = Utilities::split_string_list(prm.get("Removed chordae"));
     prm.leave_subsection();
-    check();
   }
 
 

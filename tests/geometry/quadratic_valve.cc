@@ -13,9 +13,7 @@ main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   ValveParameters valve;
-  valve.quadratic         = true;
   valve.n_circumferential = 40;
-  valve.n_root_rows       = 2;
   const Leaflet leaflet   = generate_leaflet(valve);
   const auto &mesh        = leaflet.mesh;
   test_mesh("parts of quadratic elements:", leaflet);

@@ -220,6 +220,17 @@ test_chordae(ValveParameters valve)
   check("all removed", generate_chordae(valve, leaflet, mass).empty());
 }
 
+/** A mesh of linear tetrahedra, with one row of the root. */
+ValveParameters
+linear_valve()
+{
+  ValveParameters valve;
+  valve.quadratic         = false;
+  valve.n_circumferential = 84;
+  valve.n_root_rows       = 1;
+  return valve;
+}
+
 void
 test_shape(const ValveParameters &valve)
 {
@@ -294,10 +305,13 @@ test_input()
   check("odd elements refused",
         refused(entry("Valve", "Elements around", "83")));
   check("odd layers of quadratic elements refused",
-        refused([&](ParameterHandler &prm) {
-          entry("Valve", "Element", "P2")(prm);
-          entry("Valve", "Elements around", "80")(prm);
-          entry("Valve", "Root rows", "2")(prm);
+        refused(entry("Valve", "Layers", "3")));
+  check("elements around no multiple of eight refused for quadratic ones",
+        refused(entry("Valve", "Elements around", "84")));
+  check("both accepted for linear elements",
+        !refused([&](ParameterHandler &prm) {
+          entry("Valve", "Element", "P1")(prm);
+          entry("Valve", "Elements around", "84")(prm);
           entry("Valve", "Layers", "3")(prm);
         }));
   check("unknown chorda refused",
@@ -371,13 +385,13 @@ int
 main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  ValveParameters valve;
+  ValveParameters valve = linear_valve();
   test_shape(valve);
   test_mesh("two layers:", generate_leaflet(valve));
   valve.n_layers    = 3;
   valve.n_root_rows = 2;
   test_mesh("three layers:", generate_leaflet(valve));
-  valve = ValveParameters();
+  valve = linear_valve();
   test_labels(valve, generate_leaflet(valve));
   test_pinned(valve);
   test_fibres(valve);

@@ -15,10 +15,7 @@ foreach(ranks 1 2)
   set(folder ${FOLDER}/${ranks})
   file(REMOVE_RECURSE ${folder})
   file(COPY ${SOURCE}/tiny_dry.prm ${SOURCE}/pressure.csv DESTINATION ${folder})
-  if(ELEMENT STREQUAL P2)
-    file(APPEND ${folder}/tiny_dry.prm
-      "subsection Valve\n  set Element = P2\n  set Root rows = 2\nend\n")
-  endif()
+  file(APPEND ${folder}/tiny_dry.prm "subsection Valve\n  set Element = ${ELEMENT}\nend\n")
   execute_process(COMMAND ${MPIEXEC} -n ${ranks} ${PROGRAM} tiny_dry.prm
     WORKING_DIRECTORY ${folder}
     RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)

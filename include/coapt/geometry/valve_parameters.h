@@ -77,17 +77,17 @@ namespace coapt
 
     /** Whether the tetrahedra have ten nodes (P2) in place of four (P1). The
      * nodes are the same: each two bricks in every direction make one. */
-    bool quadratic = false;
+    bool quadratic = true;
 
     /** Bricks of neighbouring nodes around, along the height, and through the
      * thickness. */
-    unsigned int n_circumferential = 84;
+    unsigned int n_circumferential = 88;
     unsigned int n_radial          = 12;
     unsigned int n_layers          = 2;
 
     /** Strip beyond the annulus line that is buried in the wall. */
     double root_length       = 1.25e-3;
-    unsigned int n_root_rows = 1;
+    unsigned int n_root_rows = 2;
 
     AnnulusHold annulus_hold = AnnulusHold::straps;
     FibreRule fibre_rule     = FibreRule::parallel;
@@ -139,10 +139,8 @@ namespace coapt
     static void
     declare_parameters(dealii::ParameterHandler &prm);
 
-    /**
-     * Reads these entries.
-     * @throws InputError if they contradict each other, see check().
-     */
+    /** Reads these entries. They are for a generated valve to check(): an
+     * imported one uses a few of them only. */
     void
     parse_parameters(dealii::ParameterHandler &prm);
 
