@@ -55,7 +55,9 @@ namespace coapt
                              body.width,
                              size);
         }
-      return strip_body(strip_shape<dim>(body, flow), size);
+      return strip_body(strip_shape<dim>(body, flow),
+                        size,
+                        flow.immersed->quadratic);
     }
 
     template <int dim>
