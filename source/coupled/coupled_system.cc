@@ -66,6 +66,17 @@ namespace coapt
 
   template <int dim>
   void
+  CoupledSystem<dim>::set_spread_impulse(const SolidImpulse &impulse)
+  {
+    this->impulse = impulse;
+    impulse_force.assign(X.size(), 0.);
+    impulse_start.assign(X.size(), 0.);
+  }
+
+
+
+  template <int dim>
+  void
   CoupledSystem<dim>::set_motion(const HeldMotion &motion)
   {
     this->motion = motion;
@@ -83,6 +94,7 @@ namespace coapt
     add_coupling(y + at.multiplier(), y_dot + at.multiplier());
     add_solid_forces();
     add_loads(t);
+    add_spread_impulse();
     finish_solid(y_dot + at.position(), y_dot + at.solid_velocity());
     finish_fluid(t, y_dot + at.velocity());
   }
@@ -173,6 +185,20 @@ namespace coapt
 
   template <int dim>
   void
+  CoupledSystem<dim>::add_spread_impulse()
+  {
+    // The same on all ranks, whose forces are summed.
+    if (!impulse_force.empty())
+      for (unsigned int i = dim * nodes.begin(), n = 0;
+           n < dim * nodes.n_owned();
+           ++i, ++n)
+        solid_force[i] += impulse_force[i];
+  }
+
+
+
+  template <int dim>
+  void
   CoupledSystem<dim>::finish_solid(double *position_rate, double *velocity_rate)
   {
     wait_for_others();
@@ -215,17 +241,37 @@ namespace coapt
     const StateLayout<dim> &at = state_layout;
     nodes.gather(y + at.position(), X.data());
     if (impulse)
-      {
-        const auto scope = timing.scope(sections.contact);
-        nodes.gather(y + at.solid_velocity(), V.data());
-        impulse(X.data(), V.data(), step_length);
-        std::copy_n(V.data() + dim * nodes.begin(),
-                    dim * nodes.n_owned(),
-                    y + at.solid_velocity());
-      }
+      act_impulse(y);
     const auto scope = timing.scope(sections.weights);
     const bool found = points.update(fluid, X.data(), y + at.multiplier());
     points_left      = dealii::Utilities::MPI::max(found ? 0 : 1, communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::act_impulse(double *y)
+  {
+    const auto scope = timing.scope(sections.contact);
+    nodes.gather(y + state_layout.solid_velocity(), V.data());
+    if (impulse_force.empty())
+      {
+        impulse(X.data(), V.data(), step_length);
+        std::copy_n(V.data() + dim * nodes.begin(),
+                    dim * nodes.n_owned(),
+                    y + state_layout.solid_velocity());
+        return;
+      }
+    const std::vector<double> before = V;
+    impulse(X.data(), V.data(), step_length);
+    for (unsigned int i = 0; i < V.size(); ++i)
+      {
+        impulse_work += impulse_force[i] * (X[i] - impulse_start[i]);
+        impulse_force[i] =
+          solid.mass()[i / dim] * (V[i] - before[i]) / step_length;
+      }
+    impulse_start = X;
   }
 
 

@@ -55,7 +55,9 @@ namespace coapt
                              body.width,
                              size);
         }
-      return strip_body(strip_shape<dim>(body, flow), size);
+      return strip_body(strip_shape<dim>(body, flow),
+                        size,
+                        flow.immersed->quadratic);
     }
 
     template <int dim>
@@ -206,12 +208,10 @@ namespace coapt
                     law,
                     0.5 * thinnest,
                     model.communicator);
-    system.set_impulse([this](const double *X, double *V, const double dt) {
-      const auto result = contact->apply_impulse(X, V, dt);
-      audit.add_contact_work(dt *
-                             (result.normal_power + result.friction_power));
-      contact_impulse += dt * result.normal_force;
-    });
+    system.set_spread_impulse(
+      [this](const double *X, double *V, const double dt) {
+        contact_impulse += dt * contact->apply_impulse(X, V, dt).normal_force;
+      });
   }
 
 

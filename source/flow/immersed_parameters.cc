@@ -99,8 +99,14 @@ namespace coapt
     prm.declare_entry("Element size",
                       "1",
                       Double(0.05, 10),
-                      "Edges of the elements of all bodies over those of the "
-                      "smallest fluid cells (-).");
+                      "Distances between neighbouring nodes of all bodies over "
+                      "the edges of the smallest fluid cells (-).");
+    prm.declare_entry("Element",
+                      "P1",
+                      Selection("P1|P2"),
+                      "Elements of all bodies: triangles of three nodes, in 3D "
+                      "tetrahedra of four (P1), or, for strips, of six and ten "
+                      "(P2), which bend better and are as large as two of P1.");
     prm.declare_entry("Coupled part",
                       "volume",
                       Selection("volume|surface"),
@@ -178,7 +184,13 @@ namespace coapt
       throw InputError("Body/Shape is none, but the task immersed needs a "
                        "body; without one the task is flow");
     prm.enter_subsection("Body");
-    element_size        = prm.get_double("Element size");
+    element_size = prm.get_double("Element size");
+    quadratic    = prm.get("Element") == "P2";
+    for (const BodyParameters &body : bodies)
+      if (quadratic && body.shape != "strip")
+        throw InputError("Body/Element is P2, which is for strips, but there "
+                         "is a " +
+                         body.shape);
     couples_surface     = prm.get("Coupled part") == "surface";
     has_contact         = prm.get_bool("Contact");
     clearance           = prm.get_double("Contact clearance");

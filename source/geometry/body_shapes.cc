@@ -1,4 +1,5 @@
 #include <coapt/geometry/body_shapes.h>
+#include <coapt/geometry/quadratic_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +11,12 @@ namespace coapt
 
   namespace
   {
+    /** Number of parts of about this @p size; an even one @p in_pairs. */
     unsigned int
-    n_parts(const double length, const double size)
+    n_parts(const double length, const double size, const bool in_pairs = false)
     {
-      return std::max(1l, std::lround(length / size));
+      return in_pairs ? 2 * n_parts(length, 2 * size)
+                      : std::max(1l, std::lround(length / size));
     }
 
     /** Unit vectors around @p center at the centroids of the cells. */
@@ -45,6 +48,30 @@ namespace coapt
         mesh.cells.push_back({{a, b, c}});
       else
         mesh.cells.push_back({{a, c, b}});
+    }
+
+    /** The triangle of six nodes with these vertices in the mathematical
+     * sense. */
+    void
+    add_triangle(SimplexMesh<2> &mesh,
+                 const std::array<unsigned int, 3> &vertices,
+                 const std::array<unsigned int, 3> &on_edges)
+    {
+      const auto edge = [&](const unsigned int i) {
+        return mesh.points[vertices[i]] - mesh.points[vertices[0]];
+      };
+      std::array<unsigned int, 6> nodes = {{vertices[0],
+                                            vertices[1],
+                                            vertices[2],
+                                            on_edges[0],
+                                            on_edges[1],
+                                            on_edges[2]}};
+      if (edge(1)[0] * edge(2)[1] - edge(1)[1] * edge(2)[0] < 0)
+        {
+          std::swap(nodes[1], nodes[2]);
+          std::swap(nodes[3], nodes[4]);
+        }
+      add_quadratic_cell(nodes, mesh);
     }
   } // namespace
 
@@ -147,18 +174,45 @@ namespace coapt
         shape.thickness;
     }
 
+    /** The triangles of six nodes of two by two quadrilaterals: their corners
+     * begin at @p corner, their middles at @p middle, in rows of @p stride and
+     * @p middle_stride. */
+    void
+    add_block(SimplexMesh<2> &mesh,
+              const unsigned int corner,
+              const unsigned int stride,
+              const unsigned int middle,
+              const unsigned int middle_stride)
+    {
+      const auto at = [&](const unsigned int i, const unsigned int j) {
+        return corner + j * stride + i;
+      };
+      const unsigned int a = middle, b = middle + 1;
+      const unsigned int c = middle + middle_stride, d = c + 1;
+      add_triangle(mesh, {{at(0, 0), at(2, 0), at(1, 1)}}, {{at(1, 0), a, b}});
+      add_triangle(mesh, {{at(2, 0), at(2, 2), at(1, 1)}}, {{at(2, 1), b, d}});
+      add_triangle(mesh, {{at(2, 2), at(0, 2), at(1, 1)}}, {{at(1, 2), d, c}});
+      add_triangle(mesh, {{at(0, 2), at(0, 0), at(1, 1)}}, {{at(0, 1), c, a}});
+    }
+
     void
     fill(ShapedBody<2> &body,
          const StripShape<2> &shape,
          const unsigned int n_long,
          const unsigned int n_thick,
-         const double)
+         const double,
+         const bool quadratic)
     {
-      SimplexMesh<2> &mesh = body.mesh;
+      SimplexMesh<2> &mesh         = body.mesh;
+      const unsigned int n_corners = (n_long + 1) * (n_thick + 1);
       for (unsigned int j = 0; j <= n_thick; ++j)
         for (unsigned int i = 0; i <= n_long; ++i)
           mesh.points.push_back(
             strip_point(shape, double(i) / n_long, double(j) / n_thick));
+      for (unsigned int j = 0; j < n_thick; ++j)
+        for (unsigned int i = 0; i < n_long; ++i)
+          mesh.points.push_back(
+            strip_point(shape, (i + 0.5) / n_long, (j + 0.5) / n_thick));
       const Tensor<1, 2> t =
         shape.thickness * (shape.thickness[0] < 0 ? -1 : 1);
       for (unsigned int j = 0; j < n_thick; ++j)
@@ -166,13 +220,16 @@ namespace coapt
           {
             const unsigned int a = j * (n_long + 1) + i, b = a + 1;
             const unsigned int c = a + n_long + 1, d = c + 1;
-            const unsigned int middle = mesh.points.size();
-            mesh.points.push_back(
-              strip_point(shape, (i + 0.5) / n_long, (j + 0.5) / n_thick));
-            add_triangle(mesh, a, b, middle);
-            add_triangle(mesh, b, d, middle);
-            add_triangle(mesh, d, c, middle);
-            add_triangle(mesh, c, a, middle);
+            const unsigned int middle = n_corners + j * n_long + i;
+            if (!quadratic)
+              {
+                add_triangle(mesh, a, b, middle);
+                add_triangle(mesh, b, d, middle);
+                add_triangle(mesh, d, c, middle);
+                add_triangle(mesh, c, a, middle);
+              }
+            else if (i % 2 == 0 && j % 2 == 0)
+              add_block(mesh, a, n_long + 1, middle, n_long);
             // the normal (dy, -dx) of an edge is to point as t does
             const auto oriented = [&](const unsigned int p,
                                       const unsigned int q) {
@@ -190,20 +247,22 @@ namespace coapt
 
     /** The node along the axes from the corner @p from of a cube, by bits. */
     std::array<unsigned int, 8>
-    corners(const unsigned int from,
-            const unsigned int stride_y,
-            const unsigned int stride_z)
+    corners(const unsigned int from, const std::array<unsigned int, 3> &strides)
     {
       std::array<unsigned int, 8> result;
       for (unsigned int v = 0; v < 8; ++v)
-        result[v] = from + (v & 1) + ((v >> 1) & 1) * stride_y +
-          ((v >> 2) & 1) * stride_z;
+        result[v] = from + (v & 1) * strides[0] + ((v >> 1) & 1) * strides[1] +
+          ((v >> 2) & 1) * strides[2];
       return result;
     }
 
-    /** Six tetrahedra along the diagonal of a cube (Freudenthal, 1942). */
+    /** Six tetrahedra along the diagonal of a cube (Freudenthal, 1942). Those
+     * of ten nodes need corners of which any two have a node between them,
+     * with the mean of their numbers. */
     void
-    add_tetrahedra(SimplexMesh<3> &mesh, const std::array<unsigned int, 8> &v)
+    add_tetrahedra(SimplexMesh<3> &mesh,
+                   const std::array<unsigned int, 8> &v,
+                   const bool quadratic)
     {
       std::array<unsigned int, 3> path = {{0, 1, 2}};
       do
@@ -216,7 +275,18 @@ namespace coapt
           };
           if (dealii::cross_product_3d(edge(1), edge(2)) * edge(3) < 0)
             std::swap(cell[0], cell[1]);
-          mesh.cells.push_back(cell);
+          if (!quadratic)
+            {
+              mesh.cells.push_back(cell);
+              continue;
+            }
+          std::array<unsigned int, 10> nodes;
+          std::copy(cell.begin(), cell.end(), nodes.begin());
+          for (unsigned int e = 0; e < 6; ++e)
+            nodes[4 + e] =
+              (cell[tetrahedron_edges[e][0]] + cell[tetrahedron_edges[e][1]]) /
+              2;
+          add_quadratic_cell(nodes, mesh);
       } while (std::next_permutation(path.begin(), path.end()));
     }
 
@@ -225,13 +295,16 @@ namespace coapt
          const StripShape<3> &shape,
          const unsigned int n_long,
          const unsigned int n_thick,
-         const double size)
+         const double size,
+         const bool quadratic)
     {
       SimplexMesh<3> &mesh       = body.mesh;
       const double height        = shape.z_upper - shape.z_lower;
-      const unsigned int n_z     = n_parts(height, size);
+      const unsigned int n_z     = n_parts(height, size, quadratic);
       const unsigned int layer   = n_long + 1;
       const unsigned int section = layer * (n_thick + 1);
+      const std::array<unsigned int, 3> strides = {{1, layer, section}};
+      const std::array<unsigned int, 3> doubled = {{2, 2 * layer, 2 * section}};
       for (unsigned int k = 0; k <= n_z; ++k)
         for (unsigned int j = 0; j <= n_thick; ++j)
           for (unsigned int i = 0; i <= n_long; ++i)
@@ -265,9 +338,12 @@ namespace coapt
         for (unsigned int j = 0; j < n_thick; ++j)
           for (unsigned int i = 0; i < n_long; ++i)
             {
-              const auto v =
-                corners(k * section + j * layer + i, layer, section);
-              add_tetrahedra(mesh, v);
+              const unsigned int from = k * section + j * layer + i;
+              const auto v            = corners(from, strides);
+              if (!quadratic)
+                add_tetrahedra(mesh, v, false);
+              else if (i % 2 == 0 && j % 2 == 0 && k % 2 == 0)
+                add_tetrahedra(mesh, corners(from, doubled), true);
               if (j == 0)
                 add_face(body.lower_face, v[0], v[1], v[4], v[5]);
               if (j == n_thick - 1)
@@ -280,15 +356,18 @@ namespace coapt
 
   template <int dim>
   ShapedBody<dim>
-  strip_body(const StripShape<dim> &shape, const double size)
+  strip_body(const StripShape<dim> &shape,
+             const double size,
+             const bool quadratic)
   {
     ShapedBody<dim> body;
     const Tensor<1, 2> along = shape.end - shape.begin;
     fill(body,
          shape,
-         n_parts(along.norm(), size),
-         n_parts(shape.thickness.norm(), size),
-         size);
+         n_parts(along.norm(), size, quadratic),
+         n_parts(shape.thickness.norm(), size, quadratic),
+         size,
+         quadratic);
     Tensor<1, dim> direction;
     for (unsigned int d = 0; d < 2; ++d)
       direction[d] = along[d] / along.norm();
@@ -311,6 +390,7 @@ namespace coapt
           to.push_back(nodes);
         }
     };
+    add(body.mesh.quadratic_cells, other.mesh.quadratic_cells);
     body.mesh.points.insert(body.mesh.points.end(),
                             other.mesh.points.begin(),
                             other.mesh.points.end());
@@ -349,9 +429,9 @@ namespace coapt
   template struct ShapedBody<2>;
   template struct ShapedBody<3>;
   template ShapedBody<2>
-  strip_body(const StripShape<2> &, const double);
+  strip_body(const StripShape<2> &, const double, const bool);
   template ShapedBody<3>
-  strip_body(const StripShape<3> &, const double);
+  strip_body(const StripShape<3> &, const double, const bool);
   template void
   append(ShapedBody<2> &, const ShapedBody<2> &);
   template void

@@ -5,6 +5,40 @@
 
 namespace coapt
 {
+  namespace
+  {
+    /** Appends the element with these @p nodes and its linear @p parts. */
+    template <int dim, std::size_t n_nodes, std::size_t n_parts>
+    void
+    add_cell(const std::array<unsigned int, n_nodes> &nodes,
+             const unsigned int (&parts)[n_parts][dim + 1],
+             SimplexMesh<dim> &mesh)
+    {
+      mesh.quadratic_cells.push_back(nodes);
+      for (const auto &part : parts)
+        {
+          mesh.cells.emplace_back();
+          for (unsigned int a = 0; a <= dim; ++a)
+            mesh.cells.back()[a] = nodes[part[a]];
+        }
+    }
+  } // namespace
+
+
+
+  void
+  add_quadratic_cell(const std::array<unsigned int, 6> &nodes,
+                     SimplexMesh<2> &mesh)
+  {
+    constexpr unsigned int parts[4][3] = {{0, 3, 4},
+                                          {3, 1, 5},
+                                          {4, 5, 2},
+                                          {3, 5, 4}};
+    add_cell<2>(nodes, parts, mesh);
+  }
+
+
+
   void
   add_quadratic_cell(const std::array<unsigned int, 10> &nodes,
                      SimplexMesh<3> &mesh)
@@ -17,10 +51,7 @@ namespace coapt
                                           {4, 7, 5, 8},
                                           {5, 6, 8, 9},
                                           {5, 7, 9, 8}};
-    mesh.quadratic_cells.push_back(nodes);
-    for (const auto &part : parts)
-      mesh.cells.push_back(
-        {{nodes[part[0]], nodes[part[1]], nodes[part[2]], nodes[part[3]]}});
+    add_cell<3>(nodes, parts, mesh);
   }
 
 

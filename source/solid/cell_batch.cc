@@ -26,20 +26,19 @@ namespace coapt
         return vertex;
       else
         {
-          // The points of degree two for four points in 3D.
+          // The points of degree two for three points in 2D, four in 3D.
+          constexpr double near = dim == 2 ? 2. / 3 : 0.58541019662496845;
+          constexpr double far  = dim == 2 ? 1. / 6 : 0.13819660112501051;
           const auto coordinate = [point](const int a) {
-            return a == point ? 0.58541019662496845 : 0.13819660112501051;
+            return a == point ? near : far;
           };
           Gradients<dim, degree> result;
           for (int a = 0; a <= dim; ++a)
             result[a] = (4 * coordinate(a) - 1) * vertex[a];
-          for (unsigned int e = 0; e < 6; ++e)
-            {
-              const unsigned int a = tetrahedron_edges[e][0];
-              const unsigned int b = tetrahedron_edges[e][1];
-              result[dim + 1 + e] =
-                4 * (coordinate(a) * vertex[b] + coordinate(b) * vertex[a]);
-            }
+          int node = dim + 1;
+          for (const auto &[a, b] : simplex_edges<dim>())
+            result[node++] =
+              4 * (coordinate(a) * vertex[b] + coordinate(b) * vertex[a]);
           return result;
         }
     }
@@ -198,6 +197,12 @@ namespace coapt
                       const std::vector<Tensor<1, 2>> &,
                       const std::vector<Tensor<2, 2>> &,
                       const std::vector<Tensor<1, 2>> &);
+  template std::vector<CellBatch<2, 2>>
+  build_batches<2, 2>(const SimplexMesh<2> &,
+                      const std::vector<unsigned int> &,
+                      const std::vector<Tensor<1, 2>> &,
+                      const std::vector<Tensor<2, 2>> &,
+                      const std::vector<Tensor<1, 2>> &);
   template std::vector<CellBatch<3, 1>>
   build_batches<3, 1>(const SimplexMesh<3> &,
                       const std::vector<unsigned int> &,
@@ -212,6 +217,8 @@ namespace coapt
                       const std::vector<Tensor<1, 3>> &);
   template std::vector<std::array<double, 1>>
   point_volumes<2, 1>(const SimplexMesh<2> &);
+  template std::vector<std::array<double, 3>>
+  point_volumes<2, 2>(const SimplexMesh<2> &);
   template std::vector<std::array<double, 1>>
   point_volumes<3, 1>(const SimplexMesh<3> &);
   template std::vector<std::array<double, 4>>

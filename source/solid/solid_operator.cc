@@ -81,7 +81,7 @@ namespace coapt
       material);
     if (mesh.quadratic_cells.empty())
       build<1>(mesh, fibre, normal, added_mass);
-    else if constexpr (dim == 3)
+    else
       build<2>(mesh, fibre, normal, added_mass);
     using Linear = std::vector<CellBatch<dim>>;
     if (parameters.averages_volume && std::holds_alternative<Linear>(batches))

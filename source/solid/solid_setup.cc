@@ -137,6 +137,7 @@ namespace coapt
   template std::vector<unsigned int> own_elements<dim, degree>(           \
     const SimplexMesh<dim> &, const MPI_Comm);
   INSTANTIATE(2, 1)
+  INSTANTIATE(2, 2)
   INSTANTIATE(3, 1)
   INSTANTIATE(3, 2)
 #undef INSTANTIATE

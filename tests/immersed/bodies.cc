@@ -77,8 +77,10 @@ namespace
     check("leaflets touch", force > 1 && force < 20, force);
     const double y = figure(runs[0], "body_1_centroid_y_m_mean") +
       figure(runs[0], "body_2_centroid_y_m_mean");
-    check("alike on both sides", std::abs(y - 20e-3) < 20e-6, y);
-    check_energy("leaflets", runs[0]);
+    check("alike on both sides", std::abs(y - 20e-3) < 1e-9, y);
+    // Impulses that act at once leave 0.8 %.
+    const double error = figure(runs[0], "energy_error_relative_max");
+    check("leaflets, energy error below 0.01 %", error < 1e-4, error);
   }
 } // namespace
 

@@ -91,7 +91,9 @@ namespace
 
   template <int dim>
   void
-  check_strip(const std::string &name, const double thickness_sign)
+  check_strip(const std::string &name,
+              const double thickness_sign,
+              const bool quadratic = false)
   {
     StripShape<dim> shape;
     shape.begin                 = Point<2>(0.3, 0);
@@ -100,8 +102,12 @@ namespace
     shape.bow                   = 0.05;
     shape.z_lower               = 0.5;
     shape.z_upper               = 1;
-    const ShapedBody<dim> strip = strip_body(shape, 0.05);
+    const ShapedBody<dim> strip = strip_body(shape, 0.05, quadratic);
     const double depth          = dim == 3 ? 0.5 : 1.;
+    if (quadratic)
+      check(name + ", linear cells in each element",
+            strip.mesh.n_elements() * (dim == 3 ? 8 : 4) ==
+              strip.mesh.cells.size());
     check_relative(name + ", volume", volume(strip.mesh), 0.1 * depth, 1e-12);
     const auto X       = positions(strip.mesh);
     const double lower = volume_behind<dim>(strip.lower_face, X);
@@ -218,6 +224,10 @@ main(int argc, char *argv[])
   check_round_bodies();
   check_strip<2>("strip", 1);
   check_strip<2>("strip, thickness against x", -1);
+  check_strip<2>("strip of P2", 1, true);
+  check_strip<2>("strip of P2, thickness against x", -1, true);
+  check_strip<3>("plate of P2", 1, true);
+  check_strip<3>("plate of P2, thickness against x", -1, true);
   check_strip<3>("plate", 1);
   check_strip<3>("plate, thickness against x", -1);
   check_surface_points<2>("strip");

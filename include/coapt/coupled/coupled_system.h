@@ -21,9 +21,9 @@ namespace coapt
    * The physics: y' = f(t, y) for fluid, solid and the multiplier that couples
    * them, and what happens between two steps.
    *
-   * Between steps the contact impulse acts on the solid velocity, and the
-   * coupling points find their new cells and weights, which stay frozen over
-   * the stages of the next step.
+   * Between steps the contact impulse acts on the solid velocity, at once or
+   * spread over the next step, and the coupling points find their new cells and
+   * weights, which stay frozen over the stages of the next step.
    */
   template <int dim>
   class CoupledSystem
@@ -63,6 +63,24 @@ namespace coapt
     /** Sets what acts on the solid velocity after each step. */
     void
     set_impulse(const SolidImpulse &impulse);
+
+    /**
+     * The same, but the change comes about over the step that follows, by a
+     * constant force. Where that force holds others in balance, velocities stay
+     * zero. At once, they would go from plus to minus half of the change in
+     * each step: the coupling drags on that, and a power sampled after the
+     * change is three times its mean over the step.
+     */
+    void
+    set_spread_impulse(const SolidImpulse &impulse);
+
+    /** Work (J) of the force of a spread impulse so far, along the way of the
+     * nodes in each step: exact. */
+    double
+    work_of_spread_impulse() const
+    {
+      return impulse_work;
+    }
 
     /** Sets what takes fluid out of cells. It must live as long as this. */
     void
@@ -228,11 +246,18 @@ namespace coapt
     add_loads(const double t);
 
     void
+    add_spread_impulse();
+
+    void
     finish_solid(double *position_rate, double *velocity_rate);
 
     void
     finish_fluid(const double t, double *acceleration);
     /** @} */
+
+    /** Changes the velocities in @p y, or the force that will do so. */
+    void
+    act_impulse(double *y);
 
     /** Moves held nodes in @p y to time @p t, and adds up the work. */
     void
@@ -263,7 +288,10 @@ namespace coapt
     StateLayout<dim> state_layout;
     std::vector<SolidLoad> loads;
     SolidImpulse impulse;
-    PressureSink *sink = nullptr;
+    std::vector<double> impulse_force; // of a spread one, N; otherwise empty
+    std::vector<double> impulse_start; // positions when it began to act, m
+    double impulse_work = 0;
+    PressureSink *sink  = nullptr;
     HeldMotion motion;
     double motion_work = 0;
     RelaxationCoefficients coefficients;

@@ -35,8 +35,10 @@ namespace coapt
     /** The bodies, at least one. */
     std::vector<BodyParameters> bodies;
 
-    /** Edges of the elements over those of the smallest fluid cells. */
+    /** Distances of the nodes over the size of the smallest fluid cells, and
+     * whether the elements are quadratic, between every second of them. */
     double element_size = 1;
+    bool quadratic      = false;
 
     /** Whether the bodies are coupled with the fluid at their surfaces only
      * and not in their whole volume. */

@@ -56,13 +56,22 @@ namespace coapt
     double z_lower = 0, z_upper = 0;
   };
 
-  /** A strip of quadrilaterals, each cut into four triangles by its
-   * diagonals; in 3D a plate of hexahedra, cut into six tetrahedra each. */
+  /**
+   * A strip of quadrilaterals, each cut into four triangles by its diagonals;
+   * in 3D a plate of hexahedra, cut into six tetrahedra each.
+   *
+   * A @p quadratic one has quadratic elements on nodes at the same distances:
+   * each block of two quadrilaterals (hexahedra) in every direction is cut in
+   * the same way, so there are as many blocks as fit best, at least one.
+   */
   template <int dim>
   ShapedBody<dim>
-  strip_body(const StripShape<dim> &shape, const double size);
+  strip_body(const StripShape<dim> &shape,
+             const double size,
+             const bool quadratic = false);
 
-  /** Both bodies as one mesh. */
+  /** Both bodies as one mesh; both of linear elements, or both of quadratic
+   * ones. */
   template <int dim>
   void
   append(ShapedBody<dim> &body, const ShapedBody<dim> &other);

@@ -7,10 +7,29 @@
 
 namespace coapt
 {
-  /** Vertices of the edge of each node of a ten-noded tetrahedron beyond the
-   * fourth. */
+  /** Vertices of the edge of each node of a quadratic triangle or tetrahedron
+   * beyond its vertices. @{ */
+  constexpr unsigned int triangle_edges[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   constexpr unsigned int tetrahedron_edges[6][2] =
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+  template <int dim>
+  constexpr const auto &
+  simplex_edges()
+  {
+    if constexpr (dim == 2)
+      return triangle_edges;
+    else
+      return tetrahedron_edges;
+  }
+  /** @} */
+
+  /** Appends a triangle of six @p nodes to the @p mesh, and the four linear
+   * ones that it consists of: three at its vertices, in their order, and the
+   * one inside. */
+  void
+  add_quadratic_cell(const std::array<unsigned int, 6> &nodes,
+                     SimplexMesh<2> &mesh);
 
   /** Appends a tetrahedron of ten @p nodes to the @p mesh, and the eight linear
    * ones that it consists of: four at its vertices, in their order, and four

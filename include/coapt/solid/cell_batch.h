@@ -14,18 +14,18 @@
 namespace coapt
 {
   /**
-   * A batch of linear (degree one) or quadratic (degree two, in 3D) simplices,
-   * ready for evaluation: all that does not change while the solid moves.
+   * A batch of linear (degree one) or quadratic (degree two) simplices, ready
+   * for evaluation: all that does not change while the solid moves.
    * Unused entries at the end of the last batch repeat a cell with no volume.
    *
-   * A quadratic one is isoparametric and has its stresses at four points,
-   * which are exact for linear elasticity with straight edges, and of full
-   * rank, so that no motion but a rigid one is free of energy.
+   * A quadratic one is isoparametric and has its stresses at four points (in
+   * 2D three), which are exact for linear elasticity with straight edges, and
+   * of full rank, so that no motion but a rigid one is free of energy.
    */
   template <int dim, int degree = 1>
   struct CellBatch
   {
-    static_assert(degree == 1 || (degree == 2 && dim == 3), "no such element");
+    static_assert(degree == 1 || degree == 2, "no such element");
 
     /** Numbers of nodes and of points, each of which belongs to the vertex of
      * the same number, and of linear cells that an element consists of. @{ */
@@ -97,7 +97,11 @@ namespace coapt
     static constexpr double
     mass_share(const int a)
     {
-      return degree == 1 ? 1. / n_nodes : (a <= dim ? 1. / 36 : 4. / 27);
+      if (degree == 1)
+        return 1. / n_nodes;
+      if (dim == 2)
+        return a <= dim ? 1. / 19 : 16. / 57;
+      return a <= dim ? 1. / 36 : 4. / 27;
     }
 
     /** Values of the nodal vector @p x. */

@@ -41,9 +41,9 @@ namespace coapt
    * [dim * node + component]. The elements are divided among the ranks. In 2D
    * the strain is plane, volumes are areas, and masses, forces and energies
    * are per thickness. What is given or returned "per cell" is so per linear
-   * cell of the mesh, of which a quadratic element has eight: the stress points
-   * of the element are those of the cells at its vertices, and the four cells
-   * inside have the mean of them.
+   * cell of the mesh, of which a quadratic element has eight (in 2D four): the
+   * stress points of the element are those of the cells at its vertices, and
+   * the four cells (in 2D one) inside have the mean of them.
    */
   template <int dim>
   class SolidOperator
@@ -189,11 +189,9 @@ namespace coapt
                      const std::vector<Cells> &batches,
                      const double *X) const;
 
-    /** Batches of linear or, in 3D, quadratic elements. */
-    using Batches = std::conditional_t<
-      dim == 3,
-      std::variant<std::vector<CellBatch<dim>>, std::vector<CellBatch<3, 2>>>,
-      std::variant<std::vector<CellBatch<dim>>>>;
+    /** Batches of linear or quadratic elements. */
+    using Batches =
+      std::variant<std::vector<CellBatch<dim>>, std::vector<CellBatch<dim, 2>>>;
 
     MPI_Comm communicator;
     double density, viscosity;

@@ -1,0 +1,122 @@
+// An impulse that is spread over the step that follows: the same motion as
+// under a constant load, no loss where it holds other forces in balance, and
+// exact work.
+
+#include "coupled_case.h"
+
+using namespace coapt;
+
+namespace
+{
+  /** A plate clamped across a small closed box without any dissipation but
+   * that of the coupling. */
+  CoupledSetup<2>
+  closed_box()
+  {
+    Plate plate;
+    plate.length      = 16e-3;
+    plate.height      = 8e-3;
+    plate.x           = 8.13e-3;
+    CoupledSetup<2> s = plate.setup();
+    s.boundaries.type.fill(FluidBoundary::no_slip);
+    s.fluid.viscosity            = 0;
+    s.fluid.artificial_viscosity = 0;
+    s.fluid.hourglass_speed      = 0;
+    s.fluid.checkerboard         = 0;
+    return s;
+  }
+
+  /** Acceleration (m/s^2) of a node by the impulses, along the channel. */
+  double
+  push(const CoupledSetup<2> &setup, const unsigned int node)
+  {
+    const double y = setup.block.unit[node][1];
+    return setup.pinned[node] ? 0. : 4000 * y * (1 - y);
+  }
+
+  /** The plate under impulses that amount to a constant force. */
+  struct PushedPlate : CoupledCase<2>
+  {
+    /** @p spread: over the next step, otherwise at once. */
+    PushedPlate(const CoupledSetup<2> &setup, const bool spread)
+      : CoupledCase<2>(setup)
+    {
+      const auto impulse = [this,
+                            setup](const double *, double *V, const double dt) {
+        for (unsigned int n = 0; n < solid.n_nodes(); ++n)
+          V[2 * n] += dt * push(setup, n);
+      };
+      if (spread)
+        system.set_spread_impulse(impulse);
+      else
+        system.set_impulse(impulse);
+    }
+  };
+
+  /** Trapezoidal integral of what the coupling dissipates in @p n_steps, from
+   * states between steps, as the audit takes it (J). */
+  double
+  sampled_loss(CoupledCase<2> &c, const double dt, const unsigned int n_steps)
+  {
+    double loss = 0;
+    for (unsigned int n = 0; n < n_steps; ++n)
+      {
+        c.step(dt);
+        const auto u = c.system.local_velocity(c.y.data());
+        const auto V = c.system.solid_velocities(c.y.data());
+        loss += dt *
+          c.points
+            .energy_and_power(c.system.relaxation(),
+                              u.data(),
+                              V.data(),
+                              c.y.data() + c.system.layout().multiplier())
+            .dissipation;
+      }
+    return loss;
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
+  const auto setup           = closed_box();
+  const double dt            = 0.5 * CoupledCase<2>(setup).smaller_limit();
+  const unsigned int n_steps = 400;
+
+  PushedPlate pushed(setup, true);
+  CoupledCase<2> loaded(setup);
+  loaded.system.add_load(
+    [&](const double t, const double *, const double *, double *F) {
+      const bool first_rank =
+        dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+      // the impulse after the first step acts from the second one on
+      if (first_rank && t > 0.99 * dt)
+        for (unsigned int n = 0; n < loaded.solid.n_nodes(); ++n)
+          F[2 * n] += loaded.solid.mass()[n] * push(setup, n);
+    });
+  const double loss = sampled_loss(pushed, dt, n_steps);
+  sampled_loss(loaded, dt, n_steps);
+  const auto X = pushed.system.solid_positions(pushed.y.data());
+  const auto Y = loaded.system.solid_positions(loaded.y.data());
+  double way = 0, apart = 0, work = 0;
+  for (unsigned int n = 0; n < pushed.solid.n_nodes(); ++n)
+    {
+      const double x = X[2 * n] - setup.block.mesh.points[n][0];
+      way            = std::max(way, std::abs(x));
+      apart          = std::max(apart, std::abs(X[2 * n] - Y[2 * n]));
+      work += pushed.solid.mass()[n] * push(setup, n) * x;
+    }
+  check("spread, the plate moves", way > 1e-6, way);
+  check("spread, moves as under a load", apart < 1e-12 * way, apart / way);
+  check_relative("spread, work",
+                 pushed.system.work_of_spread_impulse(),
+                 work,
+                 1e-3); // without the way of the first step
+  const double error = (work - loss - pushed.energy()) / work;
+  check("spread, books of energy", std::abs(error) < 1e-3, error);
+
+  PushedPlate kicked(setup, false);
+  const double kicked_loss = sampled_loss(kicked, dt, n_steps);
+  check("at once, dissipates more", kicked_loss > 2 * loss, kicked_loss / loss);
+}
