@@ -60,15 +60,6 @@ namespace coapt
   CoupledSystem<dim>::set_impulse(const SolidImpulse &impulse)
   {
     this->impulse = impulse;
-  }
-
-
-
-  template <int dim>
-  void
-  CoupledSystem<dim>::set_spread_impulse(const SolidImpulse &impulse)
-  {
-    this->impulse = impulse;
     impulse_force.assign(X.size(), 0.);
     impulse_start.assign(X.size(), 0.);
   }
@@ -94,7 +85,7 @@ namespace coapt
     add_coupling(y + at.multiplier(), y_dot + at.multiplier());
     add_solid_forces();
     add_loads(t);
-    add_spread_impulse();
+    add_impulse();
     finish_solid(y_dot + at.position(), y_dot + at.solid_velocity());
     finish_fluid(t, y_dot + at.velocity());
   }
@@ -185,7 +176,7 @@ namespace coapt
 
   template <int dim>
   void
-  CoupledSystem<dim>::add_spread_impulse()
+  CoupledSystem<dim>::add_impulse()
   {
     // The same on all ranks, whose forces are summed.
     if (!impulse_force.empty())
@@ -241,7 +232,7 @@ namespace coapt
     const StateLayout<dim> &at = state_layout;
     nodes.gather(y + at.position(), X.data());
     if (impulse)
-      act_impulse(y);
+      update_impulse(y);
     const auto scope = timing.scope(sections.weights);
     const bool found = points.update(fluid, X.data(), y + at.multiplier());
     points_left      = dealii::Utilities::MPI::max(found ? 0 : 1, communicator);
@@ -251,18 +242,10 @@ namespace coapt
 
   template <int dim>
   void
-  CoupledSystem<dim>::act_impulse(double *y)
+  CoupledSystem<dim>::update_impulse(const double *y)
   {
     const auto scope = timing.scope(sections.contact);
     nodes.gather(y + state_layout.solid_velocity(), V.data());
-    if (impulse_force.empty())
-      {
-        impulse(X.data(), V.data(), step_length);
-        std::copy_n(V.data() + dim * nodes.begin(),
-                    dim * nodes.n_owned(),
-                    y + state_layout.solid_velocity());
-        return;
-      }
     const std::vector<double> before = V;
     impulse(X.data(), V.data(), step_length);
     for (unsigned int i = 0; i < V.size(); ++i)

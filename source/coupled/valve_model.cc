@@ -181,7 +181,7 @@ namespace coapt
         motion.apply(t, X, V);
       });
     system->set_impulse([this](const double *X, double *V, const double dt) {
-      act_contact(X, V, dt);
+      last_contact = contact->apply_impulse(X, V, dt);
       act_on_film(X, dt);
     });
     build_film();

@@ -146,25 +146,6 @@ namespace coapt
 
 
 
-  void
-  ValveStructure::act_contact(const double *X, double *V, const double dt)
-  {
-    const double before = solid->kinetic_energy(V);
-    last_contact        = contact->apply_impulse(X, V, dt);
-    if (contact_work_listener)
-      contact_work_listener(solid->kinetic_energy(V) - before);
-  }
-
-
-
-  void
-  ValveStructure::on_contact_work(const std::function<void(double)> &listener)
-  {
-    contact_work_listener = listener;
-  }
-
-
-
   std::vector<Point<3>>
   ValveStructure::mid_surface(const std::vector<double> &nodal) const
   {

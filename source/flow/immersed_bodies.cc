@@ -208,10 +208,9 @@ namespace coapt
                     law,
                     0.5 * thinnest,
                     model.communicator);
-    system.set_spread_impulse(
-      [this](const double *X, double *V, const double dt) {
-        contact_impulse += dt * contact->apply_impulse(X, V, dt).normal_force;
-      });
+    system.set_impulse([this](const double *X, double *V, const double dt) {
+      contact_impulse += dt * contact->apply_impulse(X, V, dt).normal_force;
+    });
   }
 
 

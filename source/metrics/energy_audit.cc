@@ -95,9 +95,8 @@ namespace coapt
         works.relaxation += 0.5 *
           (last.multiplier * (last.stiffness / now.stiffness - 1) +
            now.multiplier * (1 - now.stiffness / last.stiffness));
-        works.contact += system.work_of_spread_impulse() - spread;
-        spread       = system.work_of_spread_impulse();
-        works.motion = system.work_of_motion();
+        works.contact = system.work_of_impulse();
+        works.motion  = system.work_of_motion();
         largest_input =
           std::max(largest_input,
                    std::abs(works.ends + works.driven_sides + works.motion));

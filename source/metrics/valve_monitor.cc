@@ -43,8 +43,6 @@ namespace coapt
     , audit(*model.system, *model.fluid, *model.solid, *model.points)
     , column_load(model.leaflet.columns.size())
   {
-    model.on_contact_work(
-      [this](const double work) { audit.add_contact_work(work); });
   }
 
 

@@ -21,9 +21,9 @@ namespace coapt
    * The physics: y' = f(t, y) for fluid, solid and the multiplier that couples
    * them, and what happens between two steps.
    *
-   * Between steps the contact impulse acts on the solid velocity, at once or
-   * spread over the next step, and the coupling points find their new cells and
-   * weights, which stay frozen over the stages of the next step.
+   * Between steps contact finds the force with which it acts over the next
+   * step, and the coupling points find their new cells and weights, which stay
+   * frozen over the stages of that step.
    */
   template <int dim>
   class CoupledSystem
@@ -60,24 +60,21 @@ namespace coapt
     void
     add_load(const SolidLoad &load);
 
-    /** Sets what acts on the solid velocity after each step. */
+    /**
+     * Sets what changes the solid velocity between two steps. The change comes
+     * about over the step that follows, by a constant force. Where that force
+     * holds others in balance, velocities stay zero. At once, they would go
+     * from plus to minus half of the change in each step: the coupling drags on
+     * that, and a power sampled after the change is three times its mean over
+     * the step.
+     */
     void
     set_impulse(const SolidImpulse &impulse);
 
-    /**
-     * The same, but the change comes about over the step that follows, by a
-     * constant force. Where that force holds others in balance, velocities stay
-     * zero. At once, they would go from plus to minus half of the change in
-     * each step: the coupling drags on that, and a power sampled after the
-     * change is three times its mean over the step.
-     */
-    void
-    set_spread_impulse(const SolidImpulse &impulse);
-
-    /** Work (J) of the force of a spread impulse so far, along the way of the
-     * nodes in each step: exact. */
+    /** Work (J) of the force of the impulses so far, along the way of the nodes
+     * in each step: exact. */
     double
-    work_of_spread_impulse() const
+    work_of_impulse() const
     {
       return impulse_work;
     }
@@ -148,7 +145,7 @@ namespace coapt
     void
     rhs(const double t, const double *y, double *y_dot);
 
-    /** Acts on the completed state: contact, then new coupling weights. */
+    /** Prepares the next step: contact, then new coupling weights. */
     void
     finish_step(const double t, double *y);
 
@@ -246,7 +243,7 @@ namespace coapt
     add_loads(const double t);
 
     void
-    add_spread_impulse();
+    add_impulse();
 
     void
     finish_solid(double *position_rate, double *velocity_rate);
@@ -255,9 +252,9 @@ namespace coapt
     finish_fluid(const double t, double *acceleration);
     /** @} */
 
-    /** Changes the velocities in @p y, or the force that will do so. */
+    /** Finds the force of the next step. */
     void
-    act_impulse(double *y);
+    update_impulse(const double *y);
 
     /** Moves held nodes in @p y to time @p t, and adds up the work. */
     void
@@ -288,8 +285,8 @@ namespace coapt
     StateLayout<dim> state_layout;
     std::vector<SolidLoad> loads;
     SolidImpulse impulse;
-    std::vector<double> impulse_force; // of a spread one, N; otherwise empty
-    std::vector<double> impulse_start; // positions when it began to act, m
+    std::vector<double> impulse_force; // that it acts with, N
+    std::vector<double> impulse_start; // positions when that began, m
     double impulse_work = 0;
     PressureSink *sink  = nullptr;
     HeldMotion motion;

@@ -39,15 +39,6 @@ namespace coapt
     double
     contact_step_limit() const;
 
-    /** Applies contact to the velocities @p V at the positions @p X after a
-     * step of length @p dt (s). Collective. */
-    void
-    act_contact(const double *X, double *V, const double dt);
-
-    /** Sets what learns of each contact impulse: its work (J). */
-    void
-    on_contact_work(const std::function<void(double)> &listener);
-
     /** Mean of the nodal values @p nodal (groups of three) through the
      * thickness of each column, by the trapezoidal rule. */
     std::vector<dealii::Point<3>>
@@ -75,9 +66,6 @@ namespace coapt
 
     /** What the last contact did. */
     MidSurfaceContact::Result last_contact;
-
-  private:
-    std::function<void(double)> contact_work_listener;
   };
 } // namespace coapt
 

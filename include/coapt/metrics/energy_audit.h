@@ -14,8 +14,8 @@ namespace coapt
    * of contact and of prescribed motion = change of the kinetic, acoustic,
    * elastic and multiplier energies + dissipation + what is left, the error.
    * Powers are sampled and integrated by the trapezoidal rule; the work of
-   * contact is exact, the change of the kinetic energy by each impulse, or the
-   * work of the force by which the impulse is spread. All in J, over all ranks.
+   * contact is exact, that of its force in each step. All in J, over all
+   * ranks.
    */
   template <int dim>
   class EnergyAudit
@@ -85,13 +85,6 @@ namespace coapt
     void
     sample(const double t, const double *y);
 
-    /** Adds the work (J) of one contact impulse. */
-    void
-    add_contact_work(const double work)
-    {
-      works.contact += work;
-    }
-
     /** Books the energy that a re-adaptation of the mesh has added (J). */
     void
     add_adaptation(const double change)
@@ -138,7 +131,6 @@ namespace coapt
     double last_time     = 0;
     double initial       = 0;
     double largest_input = 0;
-    double spread        = 0; // work of spread impulses that has been booked
     Powers last;
     Works works;
   };
