@@ -41,6 +41,26 @@ namespace coapt
       return sides;
     }
 
+    /** Refuses versions of the format that are not understood here, whose
+     * sections have other contents; a file without "$MeshFormat" is of version
+     * 1 or none of Gmsh's, which is found out later. */
+    void
+    check_format(const std::string &file)
+    {
+      std::ifstream stream(file);
+      std::string word, version;
+      while (stream >> word && word != "$MeshFormat")
+        ;
+      int is_binary = 0;
+      if (!(stream >> version >> is_binary))
+        return;
+      if (version.substr(0, 2) == "2." && !is_binary)
+        return;
+      throw InputError(file + ": is in Gmsh's format " + version +
+                       (is_binary ? ", binary" : "") +
+                       "; understood is 2.2, ASCII (gmsh -save -format msh22)");
+    }
+
     /** Number of nodes that the file announces. */
     unsigned int
     announced_nodes(const std::string &file)
@@ -63,6 +83,7 @@ namespace coapt
       std::ifstream stream(file);
       if (!stream)
         throw InputError(file + ": cannot be opened");
+      check_format(file);
       try
         {
           dealii::GridIn<2, 3> grid_in(triangulation);

@@ -1,5 +1,6 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/laboratory/biaxial_test.h>
+#include <coapt/solid/stability.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,9 +67,9 @@ namespace coapt
     , newton(sheet.mesh, solid, material, directions, is_fixed)
   {
     reset();
-    if (!has_tensions)
-      for (const auto &state : protocol.states)
-        check_range(state.values, state.place);
+    const auto stretches = stretches_of(protocol);
+    for (std::size_t i = 0; i < stretches.size(); ++i)
+      check_range(stretches[i], protocol.states[i].place);
   }
 
   void
@@ -85,14 +86,73 @@ namespace coapt
     return stretched_sheet(material, stretch[0], stretch[1], directions);
   }
 
-  void
-  BiaxialTest::check_range(const std::array<double, 2> &stretch,
-                           const std::string &place) const
+  std::vector<std::array<double, 2>>
+  BiaxialTest::stretches_of(const BiaxialProtocol &protocol) const
+  {
+    std::vector<std::array<double, 2>> result;
+    std::array<double, 2> stress{}, stretch{{1, 1}};
+    for (std::size_t i = 0; i < protocol.states.size(); ++i)
+      {
+        const auto &state = protocol.states[i];
+        if (!has_tensions)
+          {
+            result.push_back(state.values);
+            continue;
+          }
+        if (i == 0 || state.protocol != protocol.states[i - 1].protocol)
+          {
+            stress  = {{0, 0}};
+            stretch = {{1, 1}};
+          }
+        const std::array<double, 2> end = {
+          {state.values[0] / parameters.thickness,
+           state.values[1] / parameters.thickness}};
+        if (!follow_load(stress, end, stretch))
+          {
+            std::ostringstream message;
+            message << state.place << ": the tensions " << state.values[0]
+                    << " and " << state.values[1]
+                    << " N/m are beyond the range of the material "
+                    << parameters.solid.material
+                    << ": no stable state of the sheet balances them";
+            throw InputError(message.str());
+          }
+        stress = end;
+        result.push_back(stretch);
+      }
+    return result;
+  }
+
+  bool
+  BiaxialTest::follow_load(const std::array<double, 2> &begin,
+                           const std::array<double, 2> &end,
+                           std::array<double, 2> &stretch) const
+  {
+    double done = 0, part = 1;
+    while (done < 1)
+      {
+        std::array<double, 2> stress;
+        for (int d = 0; d < 2; ++d)
+          stress[d] =
+            begin[d] + std::min(done + part, 1.) * (end[d] - begin[d]);
+        if (const auto state =
+              loaded_sheet(material, stress, directions, stretch))
+          {
+            stretch = {{state->F[0][0], state->F[1][1]}};
+            done += part;
+            continue;
+          }
+        part /= 2;
+        if (part < 1e-3)
+          return false;
+      }
+    return true;
+  }
+
+  std::string
+  BiaxialTest::out_of_range(const std::array<double, 2> &stretch) const
   {
     std::ostringstream message;
-    message << place << ": the stretches " << stretch[0] << " and "
-            << stretch[1] << " are beyond the range of the material "
-            << parameters.solid.material << ": ";
     SmallMatrix<3, double> F{};
     F[0][0]      = stretch[0];
     F[1][1]      = stretch[1];
@@ -105,16 +165,51 @@ namespace coapt
       {
         message << "its strain is " << ratio
                 << " times the limit of the exponential";
-        throw InputError(message.str());
+        return message.str();
       }
     try
       {
-        homogeneous(stretch);
+        F = homogeneous(stretch).F;
       }
     catch (const NumericalError &error)
       {
-        throw InputError(message.str() + error.what());
+        return error.what();
       }
+    SmallMatrix<3, double> identity{};
+    for (int i = 0; i < 3; ++i)
+      identity[i][i] = 1;
+    const auto moduli_at = [&](const SmallMatrix<3, double> &F) {
+      return wave_moduli(tangent_at(material, F, directions));
+    };
+    const WaveModuli at_rest = moduli_at(identity), moduli = moduli_at(F);
+    // Poisson's ratio above 0.44: what keeps the volume must outweigh the rest.
+    const bool keeps_volume = at_rest.largest > 10 * at_rest.smallest;
+    const double volume     = F[0][0] * F[1][1] * F[2][2];
+    const double stiffer    = moduli.largest / at_rest.largest;
+    if (keeps_volume && !(volume > 0.5 && volume < 2))
+      message << "it is nearly incompressible at rest, but has " << volume
+              << " times its volume";
+    else if (!(moduli.smallest >= -1e-6 * moduli.largest))
+      message << "a plane wave has the modulus " << moduli.smallest << " Pa";
+    else if (!(stiffer <= 1e6))
+      message << "it is " << stiffer << " times as stiff as at rest";
+    return message.str();
+  }
+
+  void
+  BiaxialTest::check_range(const std::array<double, 2> &stretch,
+                           const std::string &place) const
+  {
+    const std::string problem = out_of_range(stretch);
+    if (problem.empty())
+      return;
+    std::ostringstream message;
+    message << place << ": the stretches " << stretch[0] << " and "
+            << stretch[1]
+            << (has_tensions ? ", which balance the tensions," : "")
+            << " are beyond the range of the material "
+            << parameters.solid.material << ": " << problem;
+    throw InputError(message.str());
   }
 
   void

@@ -51,7 +51,7 @@ namespace coapt
       square = iterate(X);
     is_new = false;
 
-    const double largest_ratio = 1.8;
+    const double largest_ratio = solid.averages_volume() ? 2.5 : 1.8;
     result.omega =
       std::min(bound,
                std::max(1.05 * std::sqrt(square), bound / largest_ratio));

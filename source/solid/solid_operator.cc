@@ -166,6 +166,13 @@ namespace coapt
   }
 
   template <int dim>
+  bool
+  SolidOperator<dim>::averages_volume() const
+  {
+    return averaging.has_value();
+  }
+
+  template <int dim>
   const std::vector<double> &
   SolidOperator<dim>::mass() const
   {

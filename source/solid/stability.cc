@@ -62,19 +62,6 @@ namespace coapt
 
   namespace
   {
-    /** Smaller eigenvalue (Pa) of the derivative of the two normal stresses to
-     * the two stretches, the thickness being free. */
-    double
-    stiffness_in_plane(const MaterialTangent &A)
-    {
-      const auto condensed = [&](const int i, const int j) {
-        return A[4 * i][4 * j] - A[4 * i][8] * A[8][4 * j] / A[8][8];
-      };
-      const double mean = (condensed(0, 0) + condensed(1, 1)) / 2;
-      const double half = (condensed(0, 0) - condensed(1, 1)) / 2;
-      return mean - std::hypot(half, condensed(0, 1));
-    }
-
     std::optional<Instability>
     instability_at(const Material &material,
                    const double along_fibre,
@@ -86,11 +73,7 @@ namespace coapt
         {
           const SheetState state =
             stretched_sheet(material, along_fibre, across, directions);
-          std::visit(
-            [&](const auto &law) {
-              A = material_tangent(law, state.F, directions.data());
-            },
-            material);
+          A = tangent_at(material, state.F, directions);
         }
       catch (const NumericalError &)
         {
@@ -111,7 +94,7 @@ namespace coapt
                            across,
                            wave,
                            "modulus of a plane wave"};
-      const double plane = stiffness_in_plane(A);
+      const double plane = smaller_eigenvalue(tangent_in_plane(A));
       if (!(plane >= -tolerance))
         return Instability{along_fibre,
                            across,

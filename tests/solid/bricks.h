@@ -2,6 +2,7 @@
 #define coapt_tests_solid_bricks_h
 
 #include <coapt/geometry/quadratic_mesh.h>
+#include <coapt/solid/largest_frequency.h>
 #include <coapt/solid/solid_operator.h>
 #include <coapt/time/central_differences.h>
 
@@ -88,10 +89,36 @@ namespace bricks
   };
   /** @} */
 
+  /** Nodes of each face of all elements that carry its load if it is uniform,
+   * a third each: the vertices of a triangle of three nodes, and the middles of
+   * the edges of one of six. */
+  inline std::vector<std::array<unsigned int, 3>>
+  loaded_nodes_of_faces(const SimplexMesh<3> &mesh)
+  {
+    constexpr unsigned int vertices[4][3] = {{0, 1, 2},
+                                             {0, 1, 3},
+                                             {0, 2, 3},
+                                             {1, 2, 3}};
+    constexpr unsigned int middles[4][3]  = {{4, 5, 7},
+                                             {4, 6, 8},
+                                             {5, 6, 9},
+                                             {7, 8, 9}};
+    std::vector<std::array<unsigned int, 3>> result;
+    for (const auto &cell : mesh.quadratic_cells)
+      for (const auto &f : middles)
+        result.push_back({{cell[f[0]], cell[f[1]], cell[f[2]]}});
+    if (result.empty())
+      for (const auto &cell : mesh.cells)
+        for (const auto &f : vertices)
+          result.push_back({{cell[f[0]], cell[f[1]], cell[f[2]]}});
+    return result;
+  }
+
   /** A body with supports and constant forces. */
   template <typename Element>
   struct Body
   {
+    SimplexMesh<3> mesh;
     SolidOperator<3> solid;
     std::vector<Point<3>> points;
     std::vector<bool> held;   // by component
@@ -127,6 +154,47 @@ namespace bricks
         A[i] = held[i] ? 0. : A[i] / solid.mass()[i / 3];
     }
 
+    /** Longest stable step at the positions @p X as runs estimate it, in which
+     * the estimate is renewed over and over, too. */
+    double
+    estimated_step(const std::vector<double> &X) const
+    {
+      std::vector<bool> pinned;
+      for (unsigned int node = 0; node < points.size(); ++node)
+        pinned.push_back(held[3 * node] && held[3 * node + 1] &&
+                         held[3 * node + 2]);
+      LargestFrequency<3> frequency(solid, mesh, pinned, MPI_COMM_SELF);
+      double omega = 0;
+      for (unsigned int i = 0; i < 5; ++i)
+        omega = frequency.update(X.data()).omega;
+      return 2 / omega;
+    }
+
+    /** Adds the @p force (N) evenly to the faces all of whose nodes are
+     * @p inside. */
+    void
+    add_uniform_load(const Tensor<1, 3> &force,
+                     const std::function<bool(const Point<3> &)> &inside)
+    {
+      double area = 0;
+      std::vector<Tensor<1, 3>> parts(points.size());
+      for (const auto &nodes : loaded_nodes_of_faces(mesh))
+        {
+          const Point<3> &a = points[nodes[0]], &b = points[nodes[1]],
+                         &c = points[nodes[2]];
+          if (!inside(a) || !inside(b) || !inside(c))
+            continue;
+          // The triangle between the middles of edges is a quarter of theirs,
+          // on all faces alike.
+          const double part = dealii::cross_product_3d(b - a, c - a).norm() / 2;
+          area += part;
+          for (const unsigned int node : nodes)
+            parts[node] += part / 3 * force;
+        }
+      for (unsigned int i = 0; i < load.size(); ++i)
+        load[i] += parts[i / 3][i % 3] / area;
+    }
+
     /** Moves the positions @p X to where forces balance: undamped motion that
      * is stopped whenever the kinetic energy has passed a maximum. The work of
      * the forces left over is @p tolerance of that of the load. */
@@ -137,7 +205,8 @@ namespace bricks
     Body(const SimplexMesh<3> &mesh,
          const SolidParameters &parameters,
          const Tensor<1, 3> &fibre)
-      : solid(mesh,
+      : mesh(mesh)
+      , solid(mesh,
               parameters,
               std::vector<Tensor<1, 3>>(mesh.cells.size(), fibre),
               {},

@@ -59,8 +59,13 @@ namespace coapt
   class BiaxialTest
   {
   public:
-    /** @throws InputError if the protocol leaves the range in which the
-     * material's formula holds (stretches only). */
+    /**
+     * @throws InputError if the protocol leaves the range in which the
+     * material can be used: beyond the limit of its exponential, where no
+     * homogeneous state balances the tensions, where nearly incompressible
+     * material has half or twice its volume, and where a plane wave has a
+     * negative modulus, or one a million times that at rest.
+     */
     BiaxialTest(const BiaxialParameters &parameters,
                 const BiaxialProtocol &protocol);
 
@@ -105,6 +110,22 @@ namespace coapt
     /** Internal forces and load (N). */
     std::vector<double>
     forces() const;
+
+    /** Stretches of the homogeneous sheet in each state of a protocol. */
+    std::vector<std::array<double, 2>>
+    stretches_of(const BiaxialProtocol &protocol) const;
+
+    /** Changes the @p stretch of the homogeneous sheet so that it balances the
+     * stresses @p end instead of @p begin, in small parts if necessary; false
+     * if it cannot. */
+    bool
+    follow_load(const std::array<double, 2> &begin,
+                const std::array<double, 2> &end,
+                std::array<double, 2> &stretch) const;
+
+    /** What is wrong with the material at these stretches; empty: nothing. */
+    std::string
+    out_of_range(const std::array<double, 2> &stretch) const;
 
     void
     check_range(const std::array<double, 2> &stretch,

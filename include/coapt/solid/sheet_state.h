@@ -2,8 +2,10 @@
 #define coapt_solid_sheet_state_h
 
 #include <coapt/solid/materials/material.h>
+#include <coapt/solid/tangent.h>
 
 #include <array>
+#include <optional>
 
 namespace coapt
 {
@@ -36,6 +38,32 @@ namespace coapt
                   const double stretch_1,
                   const double stretch_2,
                   const std::array<double, 9> &directions);
+
+  /** Tangent of a material of any type at the deformation gradient @p F. */
+  MaterialTangent
+  tangent_at(const Material &material,
+             const SmallMatrix<3, double> &F,
+             const std::array<double, 9> &directions);
+
+  /** Derivative of the two normal stresses of a sheet to its two stretches, the
+   * thickness being free (Pa). */
+  SmallMatrix<2, double>
+  tangent_in_plane(const MaterialTangent &tangent);
+
+  /** Smaller eigenvalue of tangent_in_plane(), which is symmetric. */
+  double
+  smaller_eigenvalue(const SmallMatrix<2, double> &matrix);
+
+  /**
+   * The state under these first Piola-Kirchhoff @p stresses (Pa), by Newton's
+   * method from the stretches @p begin. Nothing if that does not converge, or
+   * to a state that is not stable under dead loads.
+   */
+  std::optional<SheetState>
+  loaded_sheet(const Material &material,
+               const std::array<double, 2> &stresses,
+               const std::array<double, 9> &directions,
+               const std::array<double, 2> &begin);
 
   /** Normal first Piola-Kirchhoff stresses (Pa) of the same sheet of
    * incompressible material, the pressure of which makes the stress along axis

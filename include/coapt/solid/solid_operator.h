@@ -91,6 +91,10 @@ namespace coapt
     unsigned int
     n_nodes() const;
 
+    /** Whether volumes are averaged over the neighbours. */
+    bool
+    averages_volume() const;
+
     /** Lumped mass of every node (kg), of the cells of all ranks and what was
      * added. */
     const std::vector<double> &

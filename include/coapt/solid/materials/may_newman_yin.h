@@ -17,10 +17,10 @@ namespace coapt
    * Mitral leaflet tissue with one fibre family (May-Newman and Yin, 1998)
    *   W = c0 (exp Q - 1) + C10 (I1 - 3) + volumetric energy,
    *   Q = c1 (I1 - 3)^2 + c2 (sqrt(I4) - 1)^4
-   * with the isochoric invariants I1 and I4. The published law has no C10 and
-   * therefore no shear stiffness at rest. exp Q is continued by a parabola
-   * beyond exponential_limit. Stresses are per reference area (Pa), energies
-   * per reference volume (Pa).
+   * with isochoric I1 and I4; as published without C10, so slack in shear at
+   * rest. A parabola continues exp Q beyond exponential_limit. Stresses are per
+   * reference area, energies per volume (Pa). Defaults: anterior leaflet as
+   * cited in later literature, not checked against the paper.
    */
   struct MayNewmanYin : MaterialDefaults
   {

@@ -1,0 +1,70 @@
+# Runs the parameter file CASE of the task fit with PROGRAM in FOLDER. Asserts that for
+# each of MATERIALS, given as name:R2, the tables, R2 (at least that much) and NMAD are
+# there, that the valve VALVE takes the written block as its material, and that
+# SOURCE/tools/plot_fit draws the results if there is matplotlib. If DATA is given, it is
+# a table below the folder that the environment variable COAPT_DATA names, which is fitted
+# instead of that of the case; the test is skipped without it.
+cmake_minimum_required(VERSION 3.18)
+
+function(run_or_die what)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${FOLDER}
+    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${what}: exit code ${code}\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+if(DEFINED DATA AND NOT EXISTS $ENV{COAPT_DATA}/${DATA})
+  message("skipped: COAPT_DATA names no folder with ${DATA}")
+  return()
+endif()
+file(REMOVE_RECURSE ${FOLDER})
+file(MAKE_DIRECTORY ${FOLDER})
+file(READ ${CASE} case)
+if(DEFINED DATA)
+  file(COPY $ENV{COAPT_DATA}/${DATA} DESTINATION ${FOLDER})
+  get_filename_component(table ${DATA} NAME)
+  # Two terms of Ogden's law take a second, three a quarter of a minute.
+  string(APPEND case "subsection Fit\n  set Data = ${table}\n  set Ogden order = 2\nend\n")
+endif()
+file(WRITE ${FOLDER}/fit.prm "${case}")
+run_or_die("the fit" ${PROGRAM} fit.prm)
+set(text "${output}")
+
+set(results ${FOLDER}/output/fit)
+file(READ ${VALVE} valve)
+foreach(entry ${MATERIALS})
+  string(REPLACE ":" ";" entry ${entry})
+  list(GET entry 0 material)
+  list(GET entry 1 least)
+  foreach(file material_${material}.prm fit_${material}.csv profile_${material}.csv)
+    if(NOT EXISTS ${results}/${file})
+      message(FATAL_ERROR "${file} is missing")
+    endif()
+  endforeach()
+  if(NOT text MATCHES "${material}: R2 ([0-9.]+) .direction 1: [0-9.]+, 2: [0-9.]+., NMAD ([0-9.]+) %")
+    message(FATAL_ERROR "${material}: R2 and NMAD are not reported:\n${text}")
+  endif()
+  message("${material}: R2 ${CMAKE_MATCH_1}, NMAD ${CMAKE_MATCH_2} %")
+  if(CMAKE_MATCH_1 LESS least)
+    message(FATAL_ERROR "R2 of ${material} is ${CMAKE_MATCH_1}, below ${least}")
+  endif()
+  file(READ ${results}/material_${material}.prm block)
+  if(NOT block MATCHES "# R2 [0-9.]+, NMAD [0-9.]+ %\n.*set Material = ${material}")
+    message(FATAL_ERROR "material_${material}.prm:\n${block}")
+  endif()
+  file(WRITE ${FOLDER}/valve_${material}.prm "${valve}\n${block}")
+  run_or_die("the block of ${material}" ${PROGRAM} --check valve_${material}.prm)
+endforeach()
+
+execute_process(COMMAND /usr/bin/python3 -c "import matplotlib"
+  RESULT_VARIABLE code OUTPUT_QUIET ERROR_QUIET)
+if(code EQUAL 0)
+  run_or_die("tools/plot_fit" ${SOURCE}/tools/plot_fit output/fit)
+  foreach(file fit.png profile.png)
+    if(NOT EXISTS ${results}/${file})
+      message(FATAL_ERROR "tools/plot_fit has not drawn ${file}")
+    endif()
+  endforeach()
+endif()
