@@ -140,6 +140,9 @@ main(int argc, char *argv[])
   check_order<3>("taylor_green_3d", "3, 4");
   check_order<3>("taylor_green_3d_patch", "3, 4");
   check_order<3>("ethier_steinman", "2, 3");
+  check_order<3>("ethier_steinman_patch", "2, 3, 4");
+  check_order<2>("womersley_channel", "0, 1");
+  check_order<2>("womersley_channel_patch", "0, 1");
   check_sound_speed();
   check_tube();
   check_wave("standing_wave_2d");
