@@ -487,14 +487,7 @@ namespace coapt
                       solid_reaction.data(),
                       rate.data());
     fluid.sum_forces(force.data());
-    std::vector<double> acceleration(dim * state_layout.n_fluid_nodes, 0.);
-    fluid.set_boundary_acceleration(t, acceleration.data());
-    double power = 0;
-    for (unsigned int n = 0; n < state_layout.n_fluid_nodes; ++n)
-      for (unsigned int i = dim * n; i < dim * (n + 1); ++i)
-        if (fluid.is_driven_node(n))
-          power += (fluid.nodal_mass(n) * acceleration[i] - force[i]) * u[i];
-    return dealii::Utilities::MPI::sum(power, communicator);
+    return fluid.driving_power(t, u.data(), force.data());
   }
 
 

@@ -5,6 +5,7 @@
 #include <coapt/flow/number_lists.h>
 #include <coapt/flow/signal.h>
 #include <coapt/io/console.h>
+#include <coapt/io/energy_table.h>
 #include <coapt/solid/stability.h>
 
 #include <algorithm>
@@ -20,14 +21,19 @@ namespace coapt
 
   namespace
   {
-    /** Whether no figures are made of what has this name: of energies. */
+    bool
+    is_energy(const std::string &name)
+    {
+      const std::string unit = "_J";
+      return name.size() > unit.size() &&
+        name.compare(name.size() - unit.size(), unit.size(), unit) == 0;
+    }
+
+    /** Whether no figures are made of what has this name. */
     bool
     is_in_statistics_only(const std::string &name)
     {
-      const std::string unit = "_J";
-      return name == "largest_velocity_m_per_s" ||
-        (name.size() > unit.size() &&
-         name.compare(name.size() - unit.size(), unit.size(), unit) == 0);
+      return name == "largest_velocity_m_per_s" || is_energy(name);
     }
 
     StepParameters
@@ -57,6 +63,7 @@ namespace coapt
     , bodies(parameters.immersed
                ? std::make_unique<ImmersedBodies<dim>>(parameters, model)
                : nullptr)
+    , audit(model)
     , obstacle_force(model)
     , integrator(
         communicator,
@@ -103,6 +110,8 @@ namespace coapt
       rows.push_back(sample());
       if (bodies)
         add_bodies(rows.back());
+      else
+        add_energy(rows.back());
       Row row = rows.back();
       row.insert(row.begin(), {"time_s", t});
       statistics.write_row(row);
@@ -136,6 +145,7 @@ namespace coapt
         report_progress(model.fluid().largest_velocity(state.data()).speed);
       }
     write_profiles(folder);
+    log_energy();
     return result();
   }
 
@@ -146,8 +156,14 @@ namespace coapt
   FlowRun<dim>::advance(const double time_left)
   {
     const unsigned int steps_between_limits = 20;
+    const unsigned int steps_between_audits = 10;
     if (!bodies)
-      return integrator.step(step_control.step(time_left));
+      {
+        integrator.step(step_control.step(time_left));
+        if (integrator.n_steps() % steps_between_audits == 0)
+          audit.sample(integrator.time(), state.data());
+        return;
+      }
     if (integrator.n_steps() % steps_between_limits == 0)
       update_step_limits();
     const double dt = step_control.step(time_left);
@@ -188,17 +204,43 @@ namespace coapt
 
 
   template <int dim>
+  void
+  FlowRun<dim>::add_energy(Row &row)
+  {
+    const double *y = state.data();
+    audit.sample(integrator.time(), y);
+    const Row books =
+      EnergyAudit<dim>::entries(audit.work(), audit.energies(y));
+    row.insert(row.end(), books.begin(), books.end());
+    row.emplace_back("closure_error_J", audit.closure_error(y));
+    row.emplace_back("energy_error_relative", audit.relative_error(y));
+  }
+
+
+
+  template <int dim>
+  void
+  FlowRun<dim>::log_energy()
+  {
+    Row books;
+    double error = 0;
+    for (const auto &entry : rows.back())
+      if (is_energy(entry.first))
+        books.push_back(entry);
+      else if (entry.first == "energy_error_relative")
+        error = entry.second;
+    log.line(label + ":\n" + energy_table(books, error));
+  }
+
+
+
+  template <int dim>
   typename FlowRun<dim>::Row
   FlowRun<dim>::sample() const
   {
     const FluidOperator<dim> &fluid = model.fluid();
-    const double *p                 = model.pressure(state.data());
-    Row row;
-    if (!bodies) // whose audit has more than these
-      row = {{"kinetic_energy_J", fluid.kinetic_energy(state.data())},
-             {"acoustic_energy_J", fluid.acoustic_energy(p)}};
-    row.emplace_back("largest_velocity_m_per_s",
-                     fluid.largest_velocity(state.data()).speed);
+    Row row                         = {
+                              {"largest_velocity_m_per_s", fluid.largest_velocity(state.data()).speed}};
     if (model.obstacle())
       add_forces(row);
     if (parameters.tube_radius > 0)

@@ -133,6 +133,24 @@ namespace coapt
 
   template <int dim>
   double
+  FluidOperator<dim>::driving_power(const double time,
+                                    const double *velocity_owned,
+                                    const double *force) const
+  {
+    std::vector<double> acceleration(dim * nodes.n_owned(), 0.);
+    set_boundary_acceleration(time, acceleration.data());
+    double power = 0;
+    for (unsigned int n = 0; n < nodes.n_owned(); ++n)
+      for (unsigned int i = dim * n; i < dim * (n + 1); ++i)
+        if (is_driven_node(n))
+          power += (mass[n] * acceleration[i] - force[i]) * velocity_owned[i];
+    return sum(power, comm);
+  }
+
+
+
+  template <int dim>
+  double
   FluidOperator<dim>::hourglass_rms(const double *velocity_local,
                                     const Mask &mask) const
   {
@@ -222,6 +240,10 @@ namespace coapt
   template FluidPowers
   FluidOperator<2>::powers(const double, const double *, const double *) const;
   template double
+  FluidOperator<2>::driving_power(const double,
+                                  const double *,
+                                  const double *) const;
+  template double
   FluidOperator<2>::hourglass_rms(const double *, const Mask &) const;
   template double
   FluidOperator<2>::checkerboard_rms(const double *, const Mask &) const;
@@ -235,6 +257,10 @@ namespace coapt
   FluidOperator<3>::flux(const unsigned int, const double *) const;
   template FluidPowers
   FluidOperator<3>::powers(const double, const double *, const double *) const;
+  template double
+  FluidOperator<3>::driving_power(const double,
+                                  const double *,
+                                  const double *) const;
   template double
   FluidOperator<3>::hourglass_rms(const double *, const Mask &) const;
   template double

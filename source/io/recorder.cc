@@ -121,6 +121,7 @@ namespace coapt
                          " times)");
     const Summary summary = report.summary(valve, monitor, cost, warnings);
     summary.write(folder.file("summary.json"));
+    log.line(report.energy_balance());
     write_closure_maps(valve,
                        monitor,
                        report.mean_tractions(),

@@ -1,5 +1,6 @@
 #include <coapt/base/units.h>
 #include <coapt/io/closure_figures.h>
+#include <coapt/io/energy_table.h>
 #include <coapt/io/valve_report.h>
 
 #include <algorithm>
@@ -9,6 +10,26 @@
 namespace coapt
 {
   using namespace units;
+
+  std::vector<Statistics::Entry>
+  energy_books(const ValveSample &s, const bool in_blood)
+  {
+    std::vector<Statistics::Entry> books;
+    if (in_blood)
+      books = EnergyAudit<3>::entries(s.works, s.energies);
+    else
+      books = {{"work_of_load_J", s.works.ends},
+               {"work_of_chordae_J", s.works.loads},
+               {"work_of_contact_J", s.works.contact},
+               {"work_of_motion_J", s.works.motion},
+               {"losses_J", s.works.solid_losses},
+               {"energy_kinetic_J", s.energies.solid_kinetic},
+               {"energy_elastic_J", s.energies.elastic}};
+    books.emplace_back("closure_error_J", s.closure_error);
+    return books;
+  }
+
+
 
   std::vector<Statistics::Entry>
   statistics_row(const ValveSample &s, const RunCost &cost, const bool in_blood)
@@ -64,16 +85,7 @@ namespace coapt
            {"hourglass_rms_m_per_s", s.hourglass_rms},
            {"checkerboard_rms_Pa", s.checkerboard_rms},
            {"point_spacing_cells", s.point_spacing}});
-    if (in_blood)
-      add(EnergyAudit<3>::entries(s.works, s.energies));
-    else
-      add({{"work_of_load_J", s.works.ends},
-           {"work_of_chordae_J", s.works.loads},
-           {"work_of_contact_J", s.works.contact},
-           {"work_of_motion_J", s.works.motion},
-           {"losses_J", s.works.solid_losses},
-           {"energy_kinetic_J", s.energies.solid_kinetic},
-           {"energy_elastic_J", s.energies.elastic}});
+    add(energy_books(s, in_blood));
     add({{"energy_error_relative", s.energy_error}});
     if (in_blood)
       add({{"fluid_cells", double(cost.fluid_cells)}});
@@ -246,6 +258,15 @@ namespace coapt
 
 
 
+  std::string
+  ValveReport::energy_balance() const
+  {
+    return energy_table(energy_books(samples.back(), settings.in_blood),
+                        samples.back().energy_error);
+  }
+
+
+
   MeanTractions
   ValveReport::mean_tractions() const
   {
@@ -365,6 +386,8 @@ namespace coapt
     result.set("wall_s", cost.wall_seconds);
     result.set("core_hours", cost.wall_seconds * cost.ranks / 3600);
     result.set("energy_error_relative", last.energy_error);
+    result.set("energy_J",
+               energy_summary(energy_books(last, settings.in_blood)));
     if (settings.in_blood && last.works.ends != 0)
       result.set("work_of_adaptation_relative",
                  last.works.adaptation / last.works.ends);

@@ -112,12 +112,18 @@ namespace coapt
 
   template <int dim>
   double
+  EnergyAudit<dim>::closure_error(const double *y) const
+  {
+    return works.input() - works.losses() - (energies(y).total() - initial);
+  }
+
+
+
+  template <int dim>
+  double
   EnergyAudit<dim>::relative_error(const double *y) const
   {
-    if (!(largest_input > 0))
-      return 0;
-    const double change = energies(y).total() - initial;
-    return std::abs(works.input() - works.losses() - change) / largest_input;
+    return largest_input > 0 ? std::abs(closure_error(y)) / largest_input : 0.;
   }
 
 

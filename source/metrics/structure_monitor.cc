@@ -114,10 +114,10 @@ namespace coapt
         std::max(sample.largest_velocity, std::hypot(V[i], V[i + 1], V[i + 2]));
     sample.works    = works;
     sample.energies = energies(X, V);
+    sample.closure_error =
+      works.input() - works.losses() - sample.energies.total() + initial_energy;
     if (largest_work > 0)
-      sample.energy_error = std::abs(works.input() - works.losses() -
-                                     sample.energies.total() + initial_energy) /
-        largest_work;
+      sample.energy_error = std::abs(sample.closure_error) / largest_work;
     return sample;
   }
 } // namespace coapt

@@ -172,6 +172,32 @@ namespace
     });
     return 3 * 8. * n / time;
   }
+
+  /** Clock rate of the core (1/s), by a chain of additions, of which each takes
+   * a cycle. */
+  double
+  clock_rate()
+  {
+    const unsigned int n  = 10000000;
+    unsigned long sum     = 0;
+    const double duration = shortest_time([&]() {
+      for (unsigned long i = 0; i < n; ++i)
+        {
+          sum += i;
+          asm volatile("" : "+r"(sum)); // no sum in closed form
+        }
+    });
+    return n / duration;
+  }
+
+  /** Least time (ns) that a cell's instructions take at @p rate cycles a second
+   * and four instructions a cycle. The inner loop of the kernel has about 1,100
+   * for eight cells, counted in its disassembly for Zen 4. */
+  double
+  instruction_limit(const double rate)
+  {
+    return 1e9 * 1100 / 8 / 4 / rate;
+  }
 } // namespace
 
 int
@@ -213,6 +239,7 @@ main(int argc, char *argv[])
   const double bytes =
     8 * (7. * fluid.u.size() + 3. * fluid.p.size()) + 32. * fluid.p.size();
   const double bandwidth = copy_bandwidth(fluid.u.size());
+  const double rate      = clock_rate();
   if (first)
     std::cout << "ranks " << n_ranks << "\ncells " << n_cells
               << "\nours_ns_per_cell_and_core "
@@ -220,7 +247,9 @@ main(int argc, char *argv[])
               << n_unknowns / ours << "\nmatrix_free_ns_per_cell_and_core "
               << 1e9 * theirs * n_ranks / n_cells << "\nfaster_by "
               << theirs / ours << "\nlanes_of_matrix_free "
-              << VectorizedArray<double>::size()
+              << VectorizedArray<double>::size() << "\nclock_rate_GHz "
+              << 1e-9 * rate << "\ninstruction_limit_ns_per_cell_and_core "
+              << instruction_limit(rate)
               << "\nbandwidth_limit_ns_per_cell_and_core "
               << 1e9 * bytes / bandwidth / (n_cells / n_ranks) << std::endl;
 }

@@ -104,8 +104,8 @@ namespace
   void
   long_run()
   {
-    const EnergyHistory history = energy_history(0, 100);
-    check("no dissipation, energy bounded in 20000 steps",
+    const EnergyHistory history = energy_history(0, 500);
+    check("no dissipation, energy bounded in 100000 steps",
           history.largest_gain < 1e-3 && history.left < 1 && history.left > 0,
           history.largest_gain);
     check("no dissipation, energy left", history.left > 0.01, history.left);

@@ -64,6 +64,23 @@ namespace
           order);
   }
 
+  /** What is left in the books of energy, over the work put in: of a lid, of
+   * sides with a given velocity around a decaying flow, of pressure ends. */
+  template <int dim>
+  void
+  check_energy(const std::string &name,
+               const std::string &level,
+               const std::string &end_time)
+  {
+    const auto driven = run_study<dim>(name,
+                                       FlowContents::nothing,
+                                       {{"Flow", "Refinements", level},
+                                        {"Time", "End time", end_time}});
+    const double error =
+      figure(driven.results()[0], "energy_error_relative_max");
+    check(name + ", energy error below 1 %", error < 0.01, error);
+  }
+
   /** The flow through a tube tells the effective radius of its staircase. */
   void
   check_tube()
@@ -140,8 +157,15 @@ main(int argc, char *argv[])
   check_order<3>("taylor_green_3d", "3, 4");
   check_order<3>("taylor_green_3d_patch", "3, 4");
   check_order<3>("ethier_steinman", "2, 3");
+  check_order<3>("ethier_steinman_patch", "2, 3, 4");
+  check_order<2>("womersley_channel", "0, 1");
+  check_order<2>("womersley_channel_patch", "0, 1");
   check_sound_speed();
   check_tube();
   check_wave("standing_wave_2d");
   check_wave("standing_wave_2d_patch");
+  check_energy<2>("cavity_re100", "4", "5");
+  check_energy<3>("ethier_steinman_patch", "2", "0.1");
+  check_energy<2>("womersley_channel_patch", "0", "1");
+  check_energy<2>("cylinder_2d2", "1", "2");
 }

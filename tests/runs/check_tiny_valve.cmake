@@ -1,6 +1,7 @@
 # Runs tiny_valve.prm of the folder SOURCE with PROGRAM on 1 and 2 ranks, in
-# FOLDER. Asserts that all results are there, that the summary has its keys, and
-# that every column of the statistics is the same on both to 1e-9.
+# FOLDER. Asserts that all results are there, that the summary has its keys, that
+# energy is balanced within 1 %, and that every column of the statistics is the same on
+# both to 1e-9.
 cmake_minimum_required(VERSION 3.19)
 
 function(require condition_text)
@@ -18,6 +19,8 @@ function(run ranks)
     RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
   require("Exit code ${code} on ${ranks} ranks:\n${output}" code EQUAL 0)
   require("Not on ${ranks} ranks:\n${output}" output MATCHES "\n${ranks} ranks? on ")
+  require("No balance of energy:\n${output}"
+    output MATCHES "work of ends +[-0-9.e]+" AND output MATCHES "closure error over the work +[-0-9.e]+ %")
   require("No table of timings:\n${output}" output MATCHES "Coupling +[0-9]+ ")
 endfunction()
 
@@ -69,6 +72,14 @@ function(check_summary file)
   math(EXPR least "5 * ${steps}")
   require("${steps} steps are fewer than 200" steps GREATER_EQUAL 200)
   require("${evaluations} evaluations in ${steps} steps" NOT evaluations LESS least)
+  string(JSON error GET "${text}" energy_error_relative)
+  require("The energy error is ${error}" error LESS 0.01)
+  foreach(part work_of_ends work_of_loads work_of_contact losses_viscous losses_impedance
+      losses_solid losses_slip energy_kinetic_fluid energy_acoustic energy_kinetic_solid
+      energy_elastic energy_multiplier closure_error)
+    string(JSON value ERROR_VARIABLE error GET "${text}" energy_J ${part})
+    require("summary.json: energy_J: ${part}: ${error}" NOT error)
+  endforeach()
   string(JSON sealed GET "${text}" sealed)
   require("An open valve is called sealed" NOT sealed)
 endfunction()

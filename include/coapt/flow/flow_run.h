@@ -2,6 +2,7 @@
 #define coapt_flow_flow_run_h
 
 #include <coapt/base/log.h>
+#include <coapt/flow/flow_audit.h>
 #include <coapt/flow/flow_errors.h>
 #include <coapt/flow/flow_fields.h>
 #include <coapt/flow/flow_model.h>
@@ -75,6 +76,14 @@ namespace coapt
     void
     add_bodies(Row &row);
 
+    /** Adds the books of energy of a fluid without bodies. */
+    void
+    add_energy(Row &row);
+
+    /** Logs what the last row says of energy. */
+    void
+    log_energy();
+
     /** Adds the forces on the obstacle, or their coefficients. */
     void
     add_forces(Row &row) const;
@@ -111,6 +120,7 @@ namespace coapt
     Log &log;
     FlowModel<dim> model;
     std::unique_ptr<ImmersedBodies<dim>> bodies; // if there are any
+    FlowAudit<dim> audit;                        // without bodies
     ObstacleForce<dim> obstacle_force;
     std::vector<dealii::Point<dim>> pressure_points;
     ExplicitIntegrator integrator;

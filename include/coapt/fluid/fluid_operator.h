@@ -229,6 +229,14 @@ namespace coapt
            const double *velocity_local,
            const double *pressure) const;
 
+    /** Power (W) of what gives the sides of the box their velocity: of the
+     * inertia of their nodes less the @p force (N) of all else on them, for
+     * owned nodes as from sum_forces(). Collective. */
+    double
+    driving_power(const double time,
+                  const double *velocity_owned,
+                  const double *force) const;
+
     /** Root mean square (m/s) over active cells of all ranks of the hourglass
      * velocity, (sum_S |Gamma_S . u|^2)^{1/2} / 2^dim. */
     double

@@ -24,6 +24,11 @@ namespace coapt
     double step_length           = 0; // s, the present one
   };
 
+  /** The books of energy (J) at the time of a sample: works, losses, energies
+   * and what is left over. */
+  std::vector<Statistics::Entry>
+  energy_books(const ValveSample &sample, const bool in_blood);
+
   /** A row of statistics.csv: names with units, and values in them; without
    * blood, what concerns it is left out. */
   std::vector<Statistics::Entry>
@@ -83,6 +88,10 @@ namespace coapt
             const LeafletMonitor &monitor,
             const RunCost &cost,
             const std::vector<std::string> &warnings) const;
+
+    /** The balance of energy at the last sample, as a table for people. */
+    std::string
+    energy_balance() const;
 
     /** Mean tractions over the window. */
     MeanTractions

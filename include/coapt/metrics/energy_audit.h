@@ -103,7 +103,12 @@ namespace coapt
       return works;
     }
 
-    /** |work - change - dissipation| over the largest work of ends, driven
+    /** Work - change - dissipation (J), what is left over, for the state @p y
+     * of the last sample. Collective. */
+    double
+    closure_error(const double *y) const;
+
+    /** Its magnitude over the largest work of ends, driven
      * sides and prescribed motion so far, for the state @p y of the last
      * sample. Collective. */
     double

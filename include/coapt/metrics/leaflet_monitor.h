@@ -53,7 +53,8 @@ namespace coapt
     double mean_strain         = 0; // largest logarithmic
     double smallest_stretch    = 1; // of all cells, relative to the mesh
     double distorted_cells     = 0; // below Solid/Distortion threshold
-    double energy_error        = 0;
+    double energy_error        = 0; // relative
+    double closure_error       = 0; // the same in J
     dealii::Point<3> crushed_place; // of the smallest stretch, in the mesh
     EnergyAudit<3>::Works works;
     EnergyAudit<3>::Energies energies;

@@ -1,0 +1,89 @@
+#include <coapt/flow/flow_audit.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coapt
+{
+  template <int dim>
+  FlowAudit<dim>::FlowAudit(const FlowModel<dim> &model) : model(model)
+  {
+  }
+
+
+
+  template <int dim>
+  typename FlowAudit<dim>::Energies
+  FlowAudit<dim>::energies(const double *y) const
+  {
+    Energies energies;
+    energies.fluid_kinetic = model.fluid().kinetic_energy(y);
+    energies.acoustic      = model.fluid().acoustic_energy(model.pressure(y));
+    return energies;
+  }
+
+
+
+  template <int dim>
+  typename FlowAudit<dim>::Powers
+  FlowAudit<dim>::powers(const double t, const double *y) const
+  {
+    Powers powers;
+    powers.fluid = model.fluid().powers(t,
+                                        model.local_velocity(y).data(),
+                                        model.pressure(y));
+    powers.driven_sides =
+      model.fluid().driving_power(t, y, model.nodal_forces(t, y).data());
+    return powers;
+  }
+
+
+
+  template <int dim>
+  void
+  FlowAudit<dim>::sample(const double t, const double *y)
+  {
+    const Powers now = powers(t, y);
+    if (started)
+      {
+        const auto add = [&](double &work, const double a, const double b) {
+          work += 0.5 * (t - last_time) * (a + b);
+        };
+        add(works.ends, last.fluid.ends, now.fluid.ends);
+        add(works.driven_sides, last.driven_sides, now.driven_sides);
+        for (const auto part : {&FluidPowers::viscous,
+                                &FluidPowers::artificial,
+                                &FluidPowers::hourglass,
+                                &FluidPowers::checkerboard,
+                                &FluidPowers::impedance})
+          add(works.fluid.*part, last.fluid.*part, now.fluid.*part);
+        scale = std::max(scale, std::abs(works.input()));
+      }
+    else
+      scale = initial = energies(y).total();
+    started   = true;
+    last_time = t;
+    last      = now;
+  }
+
+
+
+  template <int dim>
+  double
+  FlowAudit<dim>::closure_error(const double *y) const
+  {
+    return works.input() - works.losses() - (energies(y).total() - initial);
+  }
+
+
+
+  template <int dim>
+  double
+  FlowAudit<dim>::relative_error(const double *y) const
+  {
+    return scale > 0 ? std::abs(closure_error(y)) / scale : 0.;
+  }
+
+  template class FlowAudit<2>;
+  template class FlowAudit<3>;
+} // namespace coapt
