@@ -108,7 +108,7 @@ main(int argc, char *argv[])
       work += pushed.solid.mass()[n] * push(setup, n) * x;
     }
   check("spread, the plate moves", way > 1e-6, way);
-  check("spread, moves as under a load", apart < 1e-12 * way, apart / way);
+  check("spread, moves as under a load", apart < 1e-10 * way, apart / way);
   check_relative("spread, work",
                  pushed.system.work_of_spread_impulse(),
                  work,
