@@ -123,6 +123,6 @@ main(int argc, char *argv[])
     {
       check_plate(false, 0, 2, 0.005);
       check_plate(false, 1, 2, 0.005);
-      check_plate(true, 0, 1, 0.01);
+      check_plate(true, 1, 2, 0.005);
     }
 }
