@@ -96,7 +96,7 @@ namespace
     leaflets.root[1] += 0.37e-3;
     leaflets.angle[1] += 6;
     leaflets.reversal = 50e-3;
-    leaflets.reversed = -2e3;
+    leaflets.reversed = -3e3;
     LeafletsCase c(leaflets);
     const double dt = 0.5 * c.coupled.smaller_limit();
     check_closed("asymmetric", run_closed(c, dt, 40e-3, 50e-3), 68);
