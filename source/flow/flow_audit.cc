@@ -46,17 +46,9 @@ namespace coapt
     const Powers now = powers(t, y);
     if (started)
       {
-        const auto add = [&](double &work, const double a, const double b) {
-          work += 0.5 * (t - last_time) * (a + b);
-        };
-        add(works.ends, last.fluid.ends, now.fluid.ends);
-        add(works.driven_sides, last.driven_sides, now.driven_sides);
-        for (const auto part : {&FluidPowers::viscous,
-                                &FluidPowers::artificial,
-                                &FluidPowers::hourglass,
-                                &FluidPowers::checkerboard,
-                                &FluidPowers::impedance})
-          add(works.fluid.*part, last.fluid.*part, now.fluid.*part);
+        works.add_fluid(t - last_time, last.fluid, now.fluid);
+        works.driven_sides +=
+          0.5 * (t - last_time) * (last.driven_sides + now.driven_sides);
         scale = std::max(scale, std::abs(works.input()));
       }
     else

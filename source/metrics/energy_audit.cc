@@ -79,15 +79,9 @@ namespace coapt
         const auto add = [&](double &work, const double a, const double b) {
           work += 0.5 * (t - last_time) * (a + b);
         };
-        add(works.ends, last.fluid.ends, now.fluid.ends);
+        works.add_fluid(t - last_time, last.fluid, now.fluid);
         add(works.driven_sides, last.driven_sides, now.driven_sides);
         add(works.loads, last.loads, now.loads);
-        for (const auto part : {&FluidPowers::viscous,
-                                &FluidPowers::artificial,
-                                &FluidPowers::hourglass,
-                                &FluidPowers::checkerboard,
-                                &FluidPowers::impedance})
-          add(works.fluid.*part, last.fluid.*part, now.fluid.*part);
         add(works.solid_losses, last.solid, now.solid);
         add(works.slip_losses, last.slip, now.slip);
         add(works.film_losses, last.film, now.film);

@@ -53,6 +53,23 @@ namespace coapt
       double slip_losses  = 0;
       double film_losses  = 0; // by drainage
 
+      /** Adds the works of ends and of losses in the fluid during @p duration
+       * (s) between the powers @p before and @p after, by the trapezoidal
+       * rule. */
+      void
+      add_fluid(const double duration,
+                const FluidPowers &before,
+                const FluidPowers &after)
+      {
+        ends += 0.5 * duration * (before.ends + after.ends);
+        for (const auto part : {&FluidPowers::viscous,
+                                &FluidPowers::artificial,
+                                &FluidPowers::hourglass,
+                                &FluidPowers::checkerboard,
+                                &FluidPowers::impedance})
+          fluid.*part += 0.5 * duration * (before.*part + after.*part);
+      }
+
       /** What has been put in. */
       double
       input() const
