@@ -111,15 +111,16 @@ def verdict(run):
     """Whether the valve is sealed, and a sentence or two about it."""
     summary = run.summary
     sealed = bool(summary["sealed"])
-    leak = summary["leak_mL_per_s"]
+    leak = (leak_text(summary["leak_mL_per_s"]) if run.in_blood
+            else "Closed by pressure alone, without blood.")
     path = summary["widest_path"]
     if sealed:
         text = (f"Shut from {1e3 * summary['closing_time_s']:.0f} ms on. "
-                f"{leak_text(leak)} At {1e3 * summary['end_time_s']:.0f} ms "
+                f"{leak} At {1e3 * summary['end_time_s']:.0f} ms "
                 f"the leaflets meet over "
                 f"{summary['coaptation_area_mm2']:.0f} mm².")
     else:
-        text = (f"{leak_text(leak)} The widest way through the valve is "
+        text = (f"{leak} The widest way through the valve is "
                 f"{path['width_mm']:.2f} mm beyond contact, at the "
                 f"{path['place']} ({path['x_mm']:.1f}, {path['y_mm']:.1f}, "
                 f"{path['z_mm']:.1f} mm).")

@@ -67,7 +67,8 @@ def key_figures(run):
     return '<dl class="key">' + "".join(
         f"<div><dt>{html.escape(row.title)}</dt>"
         f"<dd>{row.text(run)} {row.unit}</dd></div>"
-        for row in figures.KEY_FIGURES) + "</dl>"
+        for row in figures.KEY_FIGURES
+        if row.value(run) is not None or run.in_blood) + "</dl>"
 
 
 def finding_section(findings):
@@ -148,16 +149,18 @@ def run_colours(runs):
 
 
 def flow_section(runs):
-    """What flows, and when the valve shuts."""
+    """What flows, where there is blood, and when the valve shuts."""
+    flow = ""
+    if any(run.in_blood for run in runs):
+        flow = (figure(plots.flow_figure(runs),
+                       "Flow out at the atrial end, and the pressure of the "
+                       "ventricle that drives it.") +
+                figure(plots.leak_figure(runs),
+                       "Blood that has passed the valve: the outflow less "
+                       "what the leaflets push ahead of them. It stays level "
+                       "once the valve is sealed."))
     return ('<h2 id="flow">Flow and closure</h2>' + run_colours(runs) +
-            '<div class="figures">' +
-            figure(plots.flow_figure(runs),
-                   "Flow out at the atrial end, and the pressure of the "
-                   "ventricle that drives it.") +
-            figure(plots.leak_figure(runs),
-                   "Blood that has passed the valve: the outflow less what "
-                   "the leaflets push ahead of them. It stays level once the "
-                   "valve is sealed.") +
+            '<div class="figures">' + flow +
             figure(plots.gap_figure(runs),
                    "Width of the widest way from ventricle to atrium, beyond "
                    "the clearance of contact. Below the dotted line it counts "
@@ -230,7 +233,10 @@ def coaptation_section(runs):
 
 
 def streamline_section(runs):
-    """Where the blood goes."""
+    """Where the blood goes, if there is any."""
+    runs = [run for run in runs if run.in_blood]
+    if not runs:
+        return ""
     parts = ['<h3>Streamlines</h3><div class="pictures">']
     for run in runs:
         for caption, source, top in pictures.streamline_pictures(run):

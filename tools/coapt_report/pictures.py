@@ -206,11 +206,14 @@ def valve_pictures(run, ranges):
           chordae_actor(chordae)], ATRIAL),
         (f"{closed}, from the posterior side: stress",
          [leaflet_actor(end, STRESS, ranges[STRESS]),
-          chordae_actor(chordae)], SIDE),
-        (f"{closed}, cut through the middle: pressure of the blood",
-         [leaflet_actor(end, None, 1, half_plane()),
-          slice_actor(run.fields("fluid"), "pressure", pressure_table(top))],
-         CUT)]
+          chordae_actor(chordae)], SIDE)]
+    cut = [leaflet_actor(end, None, 1, half_plane())]
+    caption = f"{closed}, cut through the middle"
+    if run.in_blood:
+        cut.append(slice_actor(run.fields("fluid"), "pressure",
+                               pressure_table(top)))
+        caption += ": pressure of the blood"
+    pictures.append((caption, cut, CUT))
     return [(caption, picture(actors, look))
             for caption, actors, look in pictures]
 

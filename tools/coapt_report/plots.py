@@ -58,7 +58,9 @@ def flow_figure(runs):
     for i, run in enumerate(runs):
         table = run.statistics
         time = 1e3 * table["time_s"]
-        axes[0, 0].plot(time, table["outflow_mL_per_s"], color=colour_of(i))
+        if run.in_blood:
+            axes[0, 0].plot(time, table["outflow_mL_per_s"],
+                            color=colour_of(i))
         axes[1, 0].plot(time, table["ventricular_pressure_Pa"] / 1e3,
                         color=colour_of(i))
     axes[0, 0].axhline(0, color="#888", linewidth=.8)
@@ -73,6 +75,8 @@ def leak_figure(runs):
     leaflets have swept."""
     figure, axes = figure_of()
     for i, run in enumerate(runs):
+        if not run.in_blood:
+            continue
         table = run.statistics
         passed = table["outflow_volume_mL"] - table["swept_volume_mL"]
         axes[0, 0].plot(1e3 * table["time_s"], passed, color=colour_of(i))

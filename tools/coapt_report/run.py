@@ -167,6 +167,11 @@ class Run:
         return reader.GetOutput()
 
     @property
+    def in_blood(self):
+        """Whether the valve closes in blood."""
+        return self.has("fields/fluid.pvd")
+
+    @property
     def cell_size(self):
         """Finest fluid cell (mm)."""
         return (float(self.parameters["Mesh/Coarse cell"]) /
