@@ -62,18 +62,18 @@ namespace coapt
 
   template <int dim>
   double
-  FlowAudit<dim>::closure_error(const double *y) const
+  FlowAudit<dim>::closure_error(const Energies &stored) const
   {
-    return works.input() - works.losses() - (energies(y).total() - initial);
+    return works.input() - works.losses() - (stored.total() - initial);
   }
 
 
 
   template <int dim>
   double
-  FlowAudit<dim>::relative_error(const double *y) const
+  FlowAudit<dim>::relative_error(const Energies &stored) const
   {
-    return scale > 0 ? std::abs(closure_error(y)) / scale : 0.;
+    return scale > 0 ? std::abs(closure_error(stored)) / scale : 0.;
   }
 
   template class FlowAudit<2>;

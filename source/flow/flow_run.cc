@@ -209,11 +209,11 @@ namespace coapt
   {
     const double *y = state.data();
     audit.sample(integrator.time(), y);
-    const Row books =
-      EnergyAudit<dim>::entries(audit.work(), audit.energies(y));
+    const auto energies = audit.energies(y);
+    const Row books     = EnergyAudit<dim>::entries(audit.work(), energies);
     row.insert(row.end(), books.begin(), books.end());
-    row.emplace_back("closure_error_J", audit.closure_error(y));
-    row.emplace_back("energy_error_relative", audit.relative_error(y));
+    row.emplace_back("closure_error_J", audit.closure_error(energies));
+    row.emplace_back("energy_error_relative", audit.relative_error(energies));
   }
 
 

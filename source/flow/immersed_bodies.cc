@@ -339,9 +339,10 @@ namespace coapt
     measure_force(interval, V);
 
     take_audit(t, y);
-    Row row = EnergyAudit<dim>::entries(audit.work(), audit.energies(y));
-    row.emplace_back("closure_error_J", audit.closure_error(y));
-    row.emplace_back("energy_error_relative", audit.relative_error(y));
+    const auto energies = audit.energies(y);
+    Row row             = EnergyAudit<dim>::entries(audit.work(), energies);
+    row.emplace_back("closure_error_J", audit.closure_error(energies));
+    row.emplace_back("energy_error_relative", audit.relative_error(energies));
     for (unsigned int d = 0; d < dim; ++d)
       row.emplace_back("body_force_" + axis(d) + "_N", mean_force[d]);
     if (contact)

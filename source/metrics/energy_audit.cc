@@ -106,18 +106,19 @@ namespace coapt
 
   template <int dim>
   double
-  EnergyAudit<dim>::closure_error(const double *y) const
+  EnergyAudit<dim>::closure_error(const Energies &stored) const
   {
-    return works.input() - works.losses() - (energies(y).total() - initial);
+    return works.input() - works.losses() - (stored.total() - initial);
   }
 
 
 
   template <int dim>
   double
-  EnergyAudit<dim>::relative_error(const double *y) const
+  EnergyAudit<dim>::relative_error(const Energies &stored) const
   {
-    return largest_input > 0 ? std::abs(closure_error(y)) / largest_input : 0.;
+    return largest_input > 0 ? std::abs(closure_error(stored)) / largest_input
+                             : 0.;
   }
 
 

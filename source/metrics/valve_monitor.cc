@@ -246,10 +246,10 @@ namespace coapt
     measure_tractions(y, X);
     measure_coaptation(sample);
 
-    sample.energy_error  = audit.relative_error(y);
-    sample.closure_error = audit.closure_error(y);
     sample.works         = audit.work();
     sample.energies      = audit.energies(y);
+    sample.energy_error  = audit.relative_error(sample.energies);
+    sample.closure_error = audit.closure_error(sample.energies);
     return sample;
   }
 } // namespace coapt

@@ -252,6 +252,26 @@ struct Plate
   }
 };
 
+/** A plate clamped across a small closed box without any dissipation but that
+ * of the coupling. */
+inline CoupledSetup<2>
+closed_box(
+  const double damping_ratio = coapt::ImmersionParameters().damping_ratio)
+{
+  Plate plate;
+  plate.length      = 16e-3;
+  plate.height      = 8e-3;
+  plate.x           = 8.13e-3;
+  CoupledSetup<2> s = plate.setup();
+  s.boundaries.type.fill(coapt::FluidBoundary::no_slip);
+  s.fluid.viscosity            = 0;
+  s.fluid.artificial_viscosity = 0;
+  s.fluid.hourglass_speed      = 0;
+  s.fluid.checkerboard         = 0;
+  s.immersion.damping_ratio    = damping_ratio;
+  return s;
+}
+
 /** Position of the middle of the plate's thickness at each height. */
 inline std::vector<dealii::Point<2>>
 mid_line(const Block<2> &block, const std::vector<double> &X)

@@ -10,25 +10,6 @@ using namespace coapt;
 
 namespace
 {
-  /** A plate clamped across a small closed box without any dissipation but
-   * that of the coupling. */
-  CoupledSetup<2>
-  closed_box(const double damping_ratio)
-  {
-    Plate plate;
-    plate.length      = 16e-3;
-    plate.height      = 8e-3;
-    plate.x           = 8.13e-3;
-    CoupledSetup<2> s = plate.setup();
-    s.boundaries.type.fill(FluidBoundary::no_slip);
-    s.fluid.viscosity            = 0;
-    s.fluid.artificial_viscosity = 0;
-    s.fluid.hourglass_speed      = 0;
-    s.fluid.checkerboard         = 0;
-    s.immersion.damping_ratio    = damping_ratio;
-    return s;
-  }
-
   /** Random velocities of fluid and solid, 0.1 m/s at most. */
   void
   add_noise(CoupledCase<2> &c)

@@ -8,24 +8,6 @@ using namespace coapt;
 
 namespace
 {
-  /** A plate clamped across a small closed box without any dissipation but
-   * that of the coupling. */
-  CoupledSetup<2>
-  closed_box()
-  {
-    Plate plate;
-    plate.length      = 16e-3;
-    plate.height      = 8e-3;
-    plate.x           = 8.13e-3;
-    CoupledSetup<2> s = plate.setup();
-    s.boundaries.type.fill(FluidBoundary::no_slip);
-    s.fluid.viscosity            = 0;
-    s.fluid.artificial_viscosity = 0;
-    s.fluid.hourglass_speed      = 0;
-    s.fluid.checkerboard         = 0;
-    return s;
-  }
-
   /** Acceleration (m/s^2) of a node by the impulses, along the channel. */
   double
   push(const CoupledSetup<2> &setup, const unsigned int node)

@@ -37,16 +37,15 @@ namespace coapt
       return works;
     }
 
-    /** Work - change - dissipation (J), what is left over, for the state @p y
-     * of the last sample. Collective. */
+    /** Work - change - dissipation (J), what is left over, with the @p stored
+     * energies of the state of the last sample. */
     double
-    closure_error(const double *y) const;
+    closure_error(const Energies &stored) const;
 
     /** Its magnitude over the largest work of ends and driven sides so far or,
-     * if that is larger, the energy at the start: some flows only decay.
-     * Collective. */
+     * if that is larger, the energy at the start: some flows only decay. */
     double
-    relative_error(const double *y) const;
+    relative_error(const Energies &stored) const;
 
   private:
     struct Powers
