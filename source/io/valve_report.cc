@@ -146,77 +146,44 @@ namespace coapt
 
 
 
-  ValveReport::Closing
-  ValveReport::closing() const
-  {
-    Closing result;
-    for (const ValveSample &sample : samples)
-      if (sample.path_width >= settings.shut_width)
-        result.closed = false;
-      else if (!result.closed)
-        {
-          result.closed = true;
-          result.time   = sample.time;
-          result.volume = sample.outflow_volume;
-        }
-    return result;
-  }
-
-
-
-  double
+  Leak
   ValveReport::leak() const
   {
-    const ValveSample &last  = samples.back();
-    const ValveSample *first = &samples.front();
-    for (const ValveSample &sample : samples)
-      if (sample.time <= last.time - window * (1 - 1e-6))
-        first = &sample;
-    if (!(first->time < last.time))
-      return std::numeric_limits<double>::quiet_NaN();
-    return ((last.outflow_volume - first->outflow_volume) -
-            (last.swept_volume - first->swept_volume) +
-            (last.drained_volume - first->drained_volume)) /
-      (last.time - first->time);
+    return mean_leak(samples, window);
   }
 
 
 
-  double
-  ValveReport::regurgitant_volume() const
+  bool
+  ValveReport::sealed() const
   {
-    const Closing shut = closing();
-    const auto peak    = std::max_element(samples.begin(),
-                                       samples.end(),
-                                       [](const auto &a, const auto &b) {
-                                         return a.outflow < b.outflow;
-                                       });
-    const auto start =
-      std::find_if(peak, samples.end(), [&](const ValveSample &sample) {
-        return shut.closed ? sample.time >= shut.time
-                           : sample.outflow <= 0.1 * peak->outflow;
-      });
-    if (start == samples.end())
-      return std::numeric_limits<double>::quiet_NaN();
+    return closing(samples, settings.shut_width).closed &&
+      (!settings.in_blood || leak().total() <= largest_leak);
+  }
+
+
+
+  void
+  ValveReport::set_volumes(Summary &result) const
+  {
+    const Closing shut      = closing(samples, settings.shut_width);
+    const double none       = std::numeric_limits<double>::quiet_NaN();
     const ValveSample &last = samples.back();
-    return (last.outflow_volume - start->outflow_volume) -
-      (last.swept_volume - start->swept_volume);
-  }
 
-
-
-  double
-  ValveReport::tissue_flow() const
-  {
-    double sum     = 0;
-    unsigned int n = 0;
-    for (const ValveSample &sample : samples)
-      if (sample.time >= samples.back().time - window)
-        {
-          sum += sample.tissue_flow;
-          ++n;
-        }
-    return sum / n;
+    result.set("sealed", sealed());
+    result.set("closing_time_s", shut.closed ? shut.time : none);
+    if (!settings.in_blood)
+      return;
+    const Leak flow = leak();
+    result.set("leak_mL_per_s", flow.total() / millilitre);
+    result.set("leak_through_gaps_mL_per_s", flow.gaps / millilitre);
+    result.set("leak_through_tissue_mL_per_s", flow.tissue / millilitre);
+    result.set("leak_drained_mL_per_s", flow.drained / millilitre);
+    result.set("regurgitant_volume_mL",
+               regurgitant_volume(samples, shut) / millilitre);
+    result.set("flow_peak_mL_per_s", last.peak_outflow / millilitre);
+    result.set("closing_volume_mL",
+               shut.closed ? shut.volume / millilitre : none);
   }
 
 
@@ -292,9 +259,7 @@ namespace coapt
     result.set("y_mm", last.orifice.center[1] / millimetre);
     if (settings.in_blood)
       result.set("effective_area_mm2",
-                 effective_orifice_area(leak() - tissue_flow(),
-                                        last.pressure,
-                                        density) /
+                 effective_orifice_area(leak().gaps, last.pressure, density) /
                    square_millimetre);
     return result;
   }
@@ -308,28 +273,13 @@ namespace coapt
                        const std::vector<std::string> &warnings) const
   {
     const ValveSample &last = samples.back();
-    const Closing shut      = closing();
-    const double none       = std::numeric_limits<double>::quiet_NaN();
 
     const MeanTractions tractions = mean_tractions();
     const CoaptationResult belt =
       monitor.coaptation(tractions.contact, tractions.total);
 
     Summary result;
-    result.set("sealed",
-               shut.closed && (!settings.in_blood || leak() <= largest_leak));
-    result.set("closing_time_s", shut.closed ? shut.time : none);
-    if (settings.in_blood)
-      {
-        result.set("leak_mL_per_s", leak() / millilitre);
-        result.set("leak_through_tissue_mL_per_s", tissue_flow() / millilitre);
-        result.set("leak_through_gaps_mL_per_s",
-                   (leak() - tissue_flow()) / millilitre);
-        result.set("regurgitant_volume_mL", regurgitant_volume() / millilitre);
-        result.set("flow_peak_mL_per_s", last.peak_outflow / millilitre);
-        result.set("closing_volume_mL",
-                   shut.closed ? shut.volume / millilitre : none);
-      }
+    set_volumes(result);
     result.set("bulging_volume_mL", last.bulging_volume / millilitre);
     result.set("coaptation_area_mm2", belt.area / square_millimetre);
     result.set("coaptation_force_N", belt.force);

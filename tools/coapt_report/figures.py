@@ -40,6 +40,8 @@ GROUPS = (
         Row("… through gaps", "leak_through_gaps_mL_per_s", "mL/s", "{:.2f}"),
         Row("… through the tissue (numerical)", "leak_through_tissue_mL_per_s",
             "mL/s", "{:.2f}"),
+        Row("… drained from films (numerical)", "leak_drained_mL_per_s",
+            "mL/s", "{:.2f}"),
         Row("Regurgitant volume", "regurgitant_volume_mL", "mL", "{:.3f}"),
         Row("Closing volume", "closing_volume_mL", "mL"),
         Row("Largest flow to the atrium", "flow_peak_mL_per_s", "mL/s",

@@ -156,7 +156,8 @@ def flow_section(runs):
                        "Flow out at the atrial end, and the pressure of the "
                        "ventricle that drives it.") +
                 figure(plots.leak_figure(runs),
-                       "Blood that has passed the valve: the outflow less "
+                       "Blood that has passed the valve: the outflow and what "
+                       "is drained from films between the leaflets, less "
                        "what the leaflets push ahead of them. It stays level "
                        "once the valve is sealed."))
     return ('<h2 id="flow">Flow and closure</h2>' + run_colours(runs) +
