@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace coapt
@@ -248,20 +249,54 @@ namespace coapt
 
 
 
+  double
+  ValveReport::effective_area(const double density) const
+  {
+    return effective_orifice_area(leak().gaps,
+                                  samples.back().pressure,
+                                  density);
+  }
+
+
+
   Summary
   ValveReport::orifice_figures(const double density) const
   {
-    const ValveSample &last = samples.back();
+    const Orifice &seen = samples.back().orifice;
     Summary result;
-    result.set("seen_area_mm2", last.orifice.area / square_millimetre);
-    result.set("largest_disc_mm", last.orifice.disc / millimetre);
-    result.set("x_mm", last.orifice.center[0] / millimetre);
-    result.set("y_mm", last.orifice.center[1] / millimetre);
-    if (settings.in_blood)
-      result.set("effective_area_mm2",
-                 effective_orifice_area(leak().gaps, last.pressure, density) /
-                   square_millimetre);
+    result.set("seen_area_mm2", seen.area / square_millimetre);
+    result.set("largest_disc_mm", seen.disc / millimetre);
+    result.set("x_mm", seen.center[0] / millimetre);
+    result.set("y_mm", seen.center[1] / millimetre);
+    if (!settings.in_blood)
+      return result;
+    const double effective = effective_area(density);
+    result.set("effective_area_mm2", effective / square_millimetre);
+    result.set("effective_over_seen_area", effective / seen.area);
     return result;
+  }
+
+
+
+  std::string
+  ValveReport::doubt_about_orifice(const double density) const
+  {
+    if (!settings.in_blood || !(leak().gaps > largest_leak))
+      return "";
+    const double seen = samples.back().orifice.area,
+                 jet  = effective_area(density);
+    if (orifices_agree(seen, jet, orifice_factor))
+      return "";
+    char text[200];
+    std::snprintf(text,
+                  sizeof(text),
+                  "the leak through gaps, %.3g mL/s, belongs to an orifice of "
+                  "%.3g mm^2, but %.3g mm^2 are seen along the axis: either "
+                  "the way through is oblique or the leak is not that of a jet",
+                  leak().gaps / millilitre,
+                  jet / square_millimetre,
+                  seen / square_millimetre);
+    return text;
   }
 
 

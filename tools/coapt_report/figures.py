@@ -55,6 +55,8 @@ GROUPS = (
             "{:.2f}"),
         Row("Orifice that the leak belongs to", "orifice/effective_area_mm2",
             "mm²", "{:.2f}"),
+        Row("… over the orifice seen", "orifice/effective_over_seen_area", "",
+            "{:.2f}"),
         Row("Largest Reynolds number at the annulus", "reynolds_peak", "",
             "{:,.0f}"))),
     ("Coaptation", (

@@ -77,6 +77,10 @@ namespace coapt
     static constexpr double largest_leak = 1e-6;
     /** @} */
 
+    /** Factor by which the orifice that is seen and that which the leak
+     * belongs to may differ without a warning. */
+    static constexpr double orifice_factor = 3;
+
     explicit ValveReport(const ReportSettings &settings);
 
     /** Takes the sample that @p monitor has just made. */
@@ -97,6 +101,12 @@ namespace coapt
     /** Mean tractions over the window. */
     MeanTractions
     mean_tractions() const;
+
+    /** What is to be said if the leak through gaps does not fit the orifice
+     * that is seen, in blood of this @p density (kg/m^3); empty if it does, or
+     * if the leak is that of a sealed valve. */
+    std::string
+    doubt_about_orifice(const double density) const;
 
   private:
     /** Mean leak over the window. */
@@ -120,6 +130,11 @@ namespace coapt
      * how many cells were distorted at a time. */
     void
     set_distortion(Summary &result) const;
+
+    /** Area (m^2) of the jet that the leak through gaps makes of blood of this
+     * @p density. */
+    double
+    effective_area(const double density) const;
 
     /** What can be seen of the orifice; in blood, also what its jet tells, with
      * the @p density of the blood. */
