@@ -78,14 +78,13 @@ namespace coapt
   LeafletMonitor::bulging_by_region() const
   {
     // Two triangles for each quadrilateral, in their order.
-    std::array<std::vector<std::array<unsigned int, 3>>, n_regions> parts;
-    for (unsigned int i = 0; i < valve.surface.size(); ++i)
-      parts[static_cast<unsigned int>(valve.leaflet.quad_region[i / 2])]
-        .push_back(valve.surface[i]);
-    std::array<double, n_regions> result;
-    for (unsigned int i = 0; i < n_regions; ++i)
-      result[i] = bulging_volume(annulus(), surface_points, parts[i]);
-    return result;
+    std::vector<Region> regions;
+    for (const Region region : valve.leaflet.quad_region)
+      regions.insert(regions.end(), 2, region);
+    return coapt::bulging_by_region(annulus(),
+                                    surface_points,
+                                    valve.surface,
+                                    regions);
   }
 
 
