@@ -60,7 +60,10 @@ namespace coapt
          {"bulging_volume_mL", s.bulging_volume / millilitre},
          {"orifice_area_mm2", s.orifice.area / square_millimetre},
          {"orifice_disc_mm", s.orifice.disc / millimetre},
-         {"annulus_force_N", s.annulus_force},
+         {"annulus_force_N", s.annulus_force.norm()},
+         {"annulus_force_x_N", s.annulus_force[0]},
+         {"annulus_force_y_N", s.annulus_force[1]},
+         {"annulus_force_z_N", s.annulus_force[2]},
          {"largest_displacement_mm", s.displacement / millimetre}});
     if (in_blood)
       add({{"tissue_flow_mL_per_s", s.tissue_flow / millilitre},
@@ -348,7 +351,10 @@ namespace coapt
         monitor.chordae_peaks().peak(static_cast<ChordaClass>(c)).tension);
     result.set("chordae_peak_N", chordae);
 
-    result.set("annulus_force_N", last.annulus_force);
+    result.set("annulus_force_N", last.annulus_force.norm());
+    for (unsigned int d = 0; d < 3; ++d)
+      result.set(std::string("annulus_force_") + "xyz"[d] + "_N",
+                 last.annulus_force[d]);
     result.set("largest_displacement_mm", last.displacement / millimetre);
     Summary held;
     for (const auto &[name, displacement] : last.held_displacement)

@@ -100,14 +100,14 @@ namespace coapt
 
 
 
-  double
+  Tensor<1, 3>
   LeafletMonitor::annulus_force(const std::vector<double> &X,
                                 const std::vector<double> &V) const
   {
     std::vector<double> force(X.size(), 0.);
     valve.solid->add_forces(X.data(), V.data(), force.data());
     dealii::Utilities::MPI::sum(force, valve.communicator, force);
-    return force_on_supports(valve.leaflet.pinned, force).norm();
+    return force_on_supports(valve.leaflet.pinned, force);
   }
 
 
