@@ -73,7 +73,7 @@ namespace coapt
         const std::string plane = "plane_" + std::to_string(i + 1);
         add({{plane + "_flow_mL_per_s", s.plane_flow[i] / millilitre},
              {plane + "_flow_less_swept_mL_per_s",
-              (s.plane_flow[i] - s.swept_flow) / millilitre}});
+              plane_flow_less_swept(s, i) / millilitre}});
       }
     for (unsigned int c = 0; c < s.chordae_tension.size(); ++c)
       row.emplace_back("chordae_" + name_of(static_cast<ChordaClass>(c)) + "_N",
@@ -281,6 +281,30 @@ namespace coapt
 
 
 
+  Summary
+  ValveReport::plane_figures() const
+  {
+    Summary result;
+    for (unsigned int i = 0; i < samples.back().plane_flow.size(); ++i)
+      {
+        const auto flow = [i](const ValveSample &sample) {
+          return sample.plane_flow[i];
+        };
+        const auto less_swept = [i](const ValveSample &sample) {
+          return plane_flow_less_swept(sample, i);
+        };
+        Summary figures;
+        figures.set("flow_mL_per_s",
+                    window_mean(samples, window, flow) / millilitre);
+        figures.set("flow_less_swept_mL_per_s",
+                    window_mean(samples, window, less_swept) / millilitre);
+        result.set("plane_" + std::to_string(i + 1), figures);
+      }
+    return result;
+  }
+
+
+
   std::string
   ValveReport::doubt_about_orifice(const double density) const
   {
@@ -318,6 +342,8 @@ namespace coapt
 
     Summary result;
     set_volumes(result);
+    if (!last.plane_flow.empty())
+      result.set("planes", plane_figures());
     result.set("bulging_volume_mL", last.bulging_volume / millilitre);
     result.set("coaptation_area_mm2", belt.area / square_millimetre);
     result.set("coaptation_force_N", belt.force);

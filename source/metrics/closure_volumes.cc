@@ -41,6 +41,14 @@ namespace coapt
 
 
 
+  double
+  plane_flow_less_swept(const ValveSample &sample, const unsigned int plane)
+  {
+    return sample.plane_flow[plane] - sample.swept_flow;
+  }
+
+
+
   Closing
   closing(const Samples &samples, const double shut_width)
   {

@@ -131,6 +131,11 @@ namespace coapt
     void
     set_distortion(Summary &result) const;
 
+    /** Flow through each plane, mean over the window, and the same without
+     * what the leaflets sweep. */
+    Summary
+    plane_figures() const;
+
     /** Area (m^2) of the jet that the leak through gaps makes of blood of this
      * @p density. */
     double

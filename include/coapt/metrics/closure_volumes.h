@@ -42,6 +42,12 @@ namespace coapt
   double
   volume_past_leaflets(const ValveSample &sample);
 
+  /** Flow (m^3/s) through a plane without what the leaflets sweep: what passes
+   * them, if the plane does not cut them and its normal points to the atrium.
+   * What is drained between the leaflets passes no plane. */
+  double
+  plane_flow_less_swept(const ValveSample &sample, const unsigned int plane);
+
   /** Closing is at the first of the samples from which on the widest path of
    * all is narrower than @p shut_width (m). */
   Closing
