@@ -360,6 +360,7 @@ namespace coapt
     Summary path;
     path.set("width_mm", last.path_width / millimetre);
     path.set("gap_mm", last.path_gap / millimetre);
+    path.set("shut_below_mm", settings.shut_width / millimetre);
     path.set("place", place_name(last.path.position));
     path.set("x_mm", last.path.position[0] / millimetre);
     path.set("y_mm", last.path.position[1] / millimetre);
@@ -367,7 +368,9 @@ namespace coapt
     result.set("widest_path", path);
     result.set("orifice", orifice_figures(valve.parameters.fluid.density));
     result.set("segments", segment_figures(valve, monitor, tractions));
-    result.set("gaps", gap_figures(valve, monitor, tractions));
+    const Summary gaps = gap_figures(valve, monitor, tractions);
+    result.set("belt_sealed", gaps.number("number") == 0);
+    result.set("gaps", gaps);
     result.set("regions", region_figures(valve, monitor));
 
     Summary chordae;

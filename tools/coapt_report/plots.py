@@ -129,7 +129,7 @@ def gap_figure(runs):
         table = run.statistics
         axes[0, 0].plot(1e3 * table["time_s"], table["widest_path_mm"],
                         color=colour_of(i))
-        axes[0, 0].axhline(.5 * run.cell_size, color=colour_of(i),
+        axes[0, 0].axhline(run.shut_width, color=colour_of(i),
                            linewidth=.8, linestyle=":")
     axes[0, 0].set_ylabel("widest way through, mm")
     axes[0, 0].set_xlabel("time, ms")
