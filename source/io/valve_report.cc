@@ -368,9 +368,7 @@ namespace coapt
     result.set("widest_path", path);
     result.set("orifice", orifice_figures(valve.parameters.fluid.density));
     result.set("segments", segment_figures(valve, monitor, tractions));
-    const Summary gaps = gap_figures(valve, monitor, tractions);
-    result.set("belt_sealed", gaps.number("number") == 0);
-    result.set("gaps", gaps);
+    result.set("gaps", gap_figures(valve, monitor, tractions));
     result.set("regions", region_figures(valve, monitor));
 
     Summary chordae;

@@ -267,13 +267,13 @@ def region_rows(runs):
 
 def belt_sentence(run):
     """The verdict of the belt of coaptation: whether a way along it leads
-    from commissure to commissure; empty if that is not known."""
-    gaps = run.summary.get("gaps", {})
-    if "number" not in gaps:
-        return ""
-    number = int(gaps["number"])
-    if number == 0:
+    from commissure to commissure."""
+    if run.summary["coaptation_belt_continuous"]:
         return "Belt of coaptation: unbroken from commissure to commissure."
+    gaps = run.summary.get("gaps", {})
+    number = int(gaps.get("number", 0))
+    if number == 0:
+        return "Belt of coaptation: broken."
     longest = max(gaps[f"gap_{i + 1}"]["length_mm"] for i in range(number))
     return (f"Belt of coaptation: {number} gap{'s' * (number > 1)}, "
             f"{'the longest ' * (number > 1)}{longest:.1f} mm long.")
