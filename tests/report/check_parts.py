@@ -81,6 +81,16 @@ def check_volume():
           list(plots.volume_past_leaflets(table)) == [0, 1.5])
 
 
+def check_leaks():
+    """The leak in words."""
+    check("a leak, most of it numerical", figures.leak_text(.92, .01) ==
+          "The leak is 0.92 mL/s, 0.01 mL/s of it through gaps.")
+    check("a leak whose ways are not known",
+          figures.leak_text(.92, None) == "The leak is 0.92 mL/s.")
+    check("no leak", figures.leak_text(.004, .004).startswith("No leak"))
+    check("too short a run", "too short" in figures.leak_text(None, None))
+
+
 def check_verdicts():
     """A sealed valve with a gap in its belt."""
     gap = {"leaflet": "posterior", "length_mm": 1.34, "position_mm": 20.2}
@@ -134,6 +144,7 @@ def check_map():
 check_streamlines()
 check_times()
 check_volume()
+check_leaks()
 check_verdicts()
 check_sections()
 check_map()

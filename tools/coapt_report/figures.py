@@ -121,8 +121,9 @@ def verdict(run):
     """Whether the valve is sealed, and a sentence or two about it."""
     summary = run.summary
     sealed = bool(summary["sealed"])
-    leak = (leak_text(summary["leak_mL_per_s"]) if run.in_blood
-            else "Closed by pressure alone, without blood.")
+    leak = (leak_text(summary["leak_mL_per_s"],
+                      summary.get("leak_through_gaps_mL_per_s"))
+            if run.in_blood else "Closed by pressure alone, without blood.")
     path = summary["widest_path"]
     if sealed:
         text = (f"Shut from {1e3 * summary['closing_time_s']:.0f} ms on. "
@@ -137,12 +138,14 @@ def verdict(run):
     return sealed, text
 
 
-def leak_text(leak):
-    """The leak in words."""
+def leak_text(leak, gaps):
+    """The leak (mL/s) in words, and what of it goes through gaps."""
     if not is_finite(leak):
         return "The run is too short to tell the leak."
     if abs(leak) < .005:
         return "No leak (below 0.01 mL/s)."
     if leak < 0:
         return f"No leak ({-leak:.2f} mL/s flow back)."
-    return f"The leak is {leak:.2f} mL/s."
+    real = (f", {gaps:.2f} mL/s of it through gaps" if is_finite(gaps)
+            else "")
+    return f"The leak is {leak:.2f} mL/s{real}."
