@@ -19,7 +19,7 @@ using dealii::Point;
 
 namespace
 {
-  const double contact_pressure = 4e3, total_pressure = 7e3;
+  const double mean_contact = 4e3, mean_total = 7e3;
 
   ModelParameters
   small_valve()
@@ -86,11 +86,11 @@ namespace
     check("table, gaps", error("gap_mm", monitor.gaps(), millimetre) < 1e-8);
     check("table, contact pressure",
           error("contact_pressure_kPa",
-                std::vector<double>(n, contact_pressure),
+                std::vector<double>(n, mean_contact),
                 kilopascal) < 1e-2);
     check("table, pressure of coaptation",
           error("coaptation_pressure_kPa",
-                std::vector<double>(n, total_pressure),
+                std::vector<double>(n, mean_total),
                 kilopascal) < 1e-2);
     check("table, what coapts", error("coapts", coapts, 1) == 0);
     check("table, slip",
@@ -125,10 +125,10 @@ namespace
     };
     check("grid, gaps", error("gap", monitor.gaps()) < 1e-8);
     check("grid, contact pressure",
-          error("contact_pressure", std::vector<double>(n, contact_pressure)) <
+          error("contact_pressure", std::vector<double>(n, mean_contact)) <
             1e-2);
     check("grid, pressure of coaptation",
-          error("coaptation_pressure", std::vector<double>(n, total_pressure)) <
+          error("coaptation_pressure", std::vector<double>(n, mean_total)) <
             1e-2);
     check("grid, what coapts", error("coapts", coapts) == 0);
     const auto region  = grid.array<float>("region");
@@ -157,8 +157,8 @@ main(int argc, char *argv[])
   monitor.sample(0, state);
 
   const unsigned int n = valve.leaflet.columns.size();
-  const MeanTractions tractions{std::vector<double>(n, contact_pressure),
-                                std::vector<double>(n, total_pressure)};
+  const MeanTractions tractions{std::vector<double>(n, mean_contact),
+                                std::vector<double>(n, mean_total)};
   write_closure_maps(valve, monitor, tractions, [](const std::string &name) {
     return name;
   });
