@@ -27,6 +27,17 @@ namespace coapt
       return std::min(1., std::max(0., (x - a) / (b - a)));
     }
 
+    /** Volumes of a film over which its pressure is averaged. Trapped fluid is
+     * gone after one, and has then raised the mean to a seventh. */
+    const double memory = 6;
+
+    /** Which part of a film drains, of the mean of p/p_v in it. */
+    double
+    openness(const double fed)
+    {
+      return falling_step(fed, 0.1, 0.3);
+    }
+
     Point<3>
     node_at(const double *X, const unsigned int node)
     {
@@ -74,6 +85,7 @@ namespace coapt
     , triangles(triangulate(leaflet.quads))
     , column_of_node(leaflet.mesh.points.size())
     , stations(leaflet.columns.size())
+    , fed(leaflet.columns.size(), 0.)
   {
     for (unsigned int c = 0; c < leaflet.columns.size(); ++c)
       for (const unsigned int node : leaflet.columns[c])
@@ -103,9 +115,10 @@ namespace coapt
   void
   SubGridFilm::update(const double *X,
                       const MidSurfaceContact::ColumnState &contact,
-                      const double duration)
+                      const double duration,
+                      const double ventricular_pressure)
   {
-    book(duration);
+    book(duration, ventricular_pressure);
     find_stations(X, contact);
 
     const std::vector<Point<3>> positions = points.positions(X);
@@ -126,15 +139,54 @@ namespace coapt
 
   // Pressures are integrated as the mean over the evaluations.
   void
-  SubGridFilm::book(const double duration)
+  SubGridFilm::book(const double duration, const double ventricular_pressure)
   {
     double sum = 0;
-    for (const Cell &draining : cells)
-      sum += draining.fraction * draining.volume * draining.integral;
     if (evaluations > 0)
-      sum *= parameters.drainage * duration / evaluations;
+      for (Cell &draining : cells)
+        {
+          draining.integral *= duration / evaluations;
+          sum += parameters.drainage * draining.fraction * draining.volume *
+            draining.integral;
+        }
     volume += dealii::Utilities::MPI::sum(sum, communicator);
+    if (evaluations > 0 && ventricular_pressure > 0 && duration > 0)
+      find_fed_columns(duration, ventricular_pressure);
     evaluations = 0;
+  }
+
+
+
+  void
+  SubGridFilm::find_fed_columns(const double duration,
+                                const double ventricular_pressure)
+  {
+    // of each column: volume of its coupling points, and with pressures
+    std::vector<double> sums(2 * fed.size(), 0.);
+    for (const Source &source : sources)
+      {
+        const SamplePoint<3> &point = points.samples()[source.point];
+        const auto &nodes           = leaflet.mesh.cells[point.cell];
+        for (unsigned int a = 0; a < 4; ++a)
+          {
+            const unsigned int c = column_of_node[nodes[a]];
+            const double share   = point.barycentric[a] * point.volume;
+            sums[2 * c] += share;
+            sums[2 * c + 1] += share * cells[source.entry].integral;
+          }
+      }
+    dealii::Utilities::MPI::sum(sums, communicator, sums);
+    for (unsigned int c = 0; c < fed.size(); ++c)
+      {
+        if (!(sums[2 * c] > 0))
+          continue;
+        const double integral = std::max(0., sums[2 * c + 1] / sums[2 * c]);
+        const double ratio =
+          std::min(1., integral / (duration * ventricular_pressure));
+        const double drained =
+          parameters.drainage * openness(fed[c]) * integral; // volumes
+        fed[c] += (1 - std::exp(-drained / memory)) * (ratio - fed[c]);
+      }
   }
 
 
@@ -151,7 +203,10 @@ namespace coapt
         station          = Station();
         if (contact.gap[c] >= largest ||
             contact.partner[c] == MidSurfaceContact::no_partner)
-          continue;
+          {
+            fed[c] = 0;
+            continue;
+          }
         const auto &nodes = leaflet.columns[c];
         Tensor<1, 3> across =
           node_at(X, nodes.front()) - node_at(X, nodes.back());
@@ -165,8 +220,9 @@ namespace coapt
 
         station.drainage = station.weight *
           ramp(edge_distance_with_partner(c, contact.partner[c]),
-               0.5 * cell,
-               cell);
+               0.,
+               0.5 * cell);
+        station.open = openness(fed[c]);
       }
   }
 
@@ -198,6 +254,7 @@ namespace coapt
         const Station &station = stations[c];
         result.weight += share * station.weight;
         result.drainage += share * station.drainage;
+        result.open += share * station.open;
         result.normal += share * station.weight * station.normal;
         if (station.weight > 0)
           {
@@ -226,6 +283,7 @@ namespace coapt
   SubGridFilm::find_draining_cells(const std::vector<Point<3>> &positions)
   {
     cells.clear();
+    sources.clear();
     std::vector<unsigned int> entry_of_cell(
       fluid.n_owned_cells(), dealii::numbers::invalid_unsigned_int);
     int hint = -1;
@@ -249,17 +307,21 @@ namespace coapt
             cells.push_back({static_cast<unsigned int>(found),
                              std::pow(fluid.cell(found).size, 3),
                              0.,
+                             0.,
                              0.});
           }
+        sources.push_back({id, entry});
         const double half = height < 1e-3 ? 0.5 : 1; // shared with the other
         const double part = station.drainage * half * point.volume *
           (1 + station.gap / leaflet.thickness);
         cells[entry].fraction += part / cells[entry].volume;
+        cells[entry].open += station.open * part / cells[entry].volume;
       }
     // A cell that reaches into a film with a corner only draws from the
-    // ventricle: a quarter of the film's cells, half of what drained.
+    // ventricle.
     for (Cell &draining : cells)
-      draining.fraction = ramp(draining.fraction, 0.25, 0.75);
+      draining.fraction =
+        draining.open / draining.fraction * ramp(draining.fraction, 0.35, 0.85);
   }
 
 

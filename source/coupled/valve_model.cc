@@ -221,7 +221,11 @@ namespace coapt
   void
   ValveModel::update_film(const double *X)
   {
-    film->update(X, contact->state(), time_since_film);
+    time_of_film += time_since_film;
+    film->update(X,
+                 contact->state(),
+                 time_since_film,
+                 ventricular_pressure(time_of_film));
     steps_since_film = 0;
     time_since_film  = 0;
   }

@@ -25,9 +25,12 @@ namespace coapt
    * - the cells between the two mid-surfaces drain to the atrial pressure,
    *   p' = -phi r rho c^2 p with the rate r, and fill again when the pressure
    *   reverses. phi rises from 0 to 1 with the fraction of the cell that lies
-   *   there, from a quarter to three quarters, and with the distance from the
-   *   free edge, from half a cell to a cell, so that the sink does not draw
-   *   from the ventricle.
+   *   there, from 0.35 to 0.85, and with the distance from the free edge, from 0
+   *   to half a cell, so that the sink does not draw from the ventricle;
+   * - a film that stays at a good part of the ventricular pressure p_v although
+   *   it drains is fed by the ventricle and does not hold trapped fluid: there,
+   *   draining ends while the mean of p/p_v over the last six volumes of film
+   *   that have drained rises from 0.1 to 0.3, until the film opens.
    *
    * Where surfaces are further apart than the largest width, nothing is
    * changed at all.
@@ -48,13 +51,15 @@ namespace coapt
     /**
      * Finds the films at the nodal positions @p X (m) from gaps and normals of
      * the columns, books what has drained since the last update in the
-     * @p duration (s), and releases coupling points. Due every few steps, and
-     * when the cells of the fluid are new. Collective.
+     * @p duration (s) at the @p ventricular_pressure (Pa), and releases
+     * coupling points. Due every few steps, and when the cells of the fluid are
+     * new. Collective.
      */
     void
     update(const double *X,
            const MidSurfaceContact::ColumnState &contact,
-           const double duration);
+           const double duration,
+           const double ventricular_pressure);
 
     void
     add_rate(const double *pressure, double *pressure_rate) override;
@@ -76,6 +81,7 @@ namespace coapt
     {
       double weight   = 0;    // of the treatment, 0 to 1
       double drainage = 0;    // the same, for drainage
+      double open     = 0;    // 0 where the ventricle feeds it, else 1
       double gap      = 0;    // m
       bool atrial     = true; // which side faces the film
       dealii::Tensor<1, 3> normal;
@@ -86,15 +92,28 @@ namespace coapt
     {
       unsigned int number;
       double volume;   // of the cell, m^3
-      double fraction; // that drains, at most 1
+      double fraction; // in the film, later what of it drains, at most 1
+      double open; // the part of this fraction that the ventricle does not feed
       double integral; // sum of pressures over evaluations
+    };
+
+    /** A coupling point in a draining cell. */
+    struct Source
+    {
+      unsigned int point;
+      unsigned int entry; // in the list of cells
     };
 
     void
     measure_edge_distances(const Leaflet &leaflet);
 
     void
-    book(const double duration);
+    book(const double duration, const double ventricular_pressure);
+
+    /** Updates how much of the ventricular pressure there is in the columns'
+     * films, from the mean pressures of the cells since the last update. */
+    void
+    find_fed_columns(const double duration, const double ventricular_pressure);
 
     void
     find_stations(const double *X,
@@ -123,7 +142,9 @@ namespace coapt
     std::vector<unsigned int> column_of_node;
     std::vector<double> edge_distance; // of columns from the free edge, m
     std::vector<Station> stations;
+    std::vector<double> fed; // mean of p/p_v in the films of columns
     std::vector<Cell> cells;
+    std::vector<Source> sources;
     unsigned int evaluations = 0;
     double volume            = 0;
   };

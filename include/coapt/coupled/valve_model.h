@@ -143,6 +143,7 @@ namespace coapt
 
     unsigned int steps_since_film = 0;
     double time_since_film        = 0;
+    double time_of_film           = 0; // of the last update
   };
 } // namespace coapt
 
