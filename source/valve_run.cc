@@ -26,6 +26,8 @@ namespace coapt
     if (structure.in_blood && model.import.is_wanted)
       throw InputError("Valve/Source = imported needs Structure/Fluid = none; "
                        "blood flows around generated valves only");
+    if (structure.in_blood)
+      model.contact.check_damping();
   }
 
 

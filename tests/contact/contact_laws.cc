@@ -183,9 +183,14 @@ namespace
       }
   }
 
-  /** Speed after over speed before a bounce off a pinned plane. */
+  /** Speed after over speed before a bounce off a pinned plane. Contact changes
+   * the velocity at once or, if @p over_next_step, by a constant force over the
+   * next step, as in blood. */
   double
-  restitution(const double damping, const double dt, double &largest_energy)
+  restitution(const double damping,
+              const double dt,
+              double &largest_energy,
+              const bool over_next_step = false)
   {
     // Equal elements, and as many nodes of the plane under the block as its
     // area asks for, so that both passes see the same mass.
@@ -212,11 +217,24 @@ namespace
         }
     const double energy = sheets.kinetic_energy();
     largest_energy      = 0;
+    std::vector<double> change(sheets.V.size());
     for (double t = 0; t < 2e-3; t += dt)
       {
         sheets.drift(dt);
+        for (unsigned int i = 0; over_next_step && i < change.size(); ++i)
+          {
+            sheets.X[i] += 0.5 * dt * change[i];
+            sheets.V[i] += change[i];
+          }
+        const std::vector<double> before = sheets.V;
         contact.apply_impulse(sheets.X.data(), sheets.V.data(), dt);
         sheets.mean_velocity(true);
+        if (over_next_step)
+          for (unsigned int i = 0; i < change.size(); ++i)
+            {
+              change[i]   = sheets.V[i] - before[i];
+              sheets.V[i] = before[i];
+            }
         largest_energy =
           std::max(largest_energy, sheets.kinetic_energy() / energy);
       }
@@ -235,6 +253,20 @@ namespace
               energy <= 1 + 1e-12 && e > 0.1 && e < 0.7,
               e);
       }
+    for (const double dt : {2e-6, 10e-6, 40e-6, 200e-6})
+      {
+        // At any phase of the step it is at most 0.75.
+        const double e = restitution(0.3, dt, energy, true);
+        check("by a force over the next step, step " +
+                std::to_string(std::lround(1e6 * dt)) + " us",
+              energy <= 1 + 1e-12 && e > 0.1 && e < 0.76,
+              e);
+        const double least = ContactParameters().least_damping();
+        restitution(least, dt, energy, true);
+        check("with the least damping", energy <= 1 + 1e-12, energy);
+      }
+    restitution(0, 40e-6, energy, true);
+    check("without damping that creates energy", energy > 1.05, energy);
     check_relative("bounce without damping is elastic",
                    restitution(0, 2e-6, energy),
                    1.,
@@ -429,6 +461,22 @@ namespace
         parameters.parse_parameters(prm);
       });
     };
+    parameters.stiffness_factor = 0.16;
+    parameters.damping          = 0.13;
+    const auto damping_error    = [&]() {
+      return error_of([&]() { parameters.check_damping(); });
+    };
+    check("too little damping is refused",
+          damping_error() ==
+            "Contact/Damping is 0.13, but must be from 0.14 to 1 in blood with "
+            "Contact/Stiffness factor = 0.16, or impacts create energy");
+    parameters.damping = 0.14;
+    check("and enough is not", damping_error() == "none");
+    parameters.stiffness_factor = 0.6;
+    check("too large a stiffness factor is refused",
+          damping_error() ==
+            "Contact/Stiffness factor is 0.6, but must be at most 0.5 in "
+            "blood, or impacts create energy");
     for (const std::string table : {"0.3: 1, 0: 2",
                                     "0.3: 0, 0.4: 2",
                                     "0.3: 0, 0.1: 2, 0: 1",

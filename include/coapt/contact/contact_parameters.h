@@ -75,6 +75,18 @@ namespace coapt
     void
     parse_parameters(dealii::ParameterHandler &prm);
 
+    /** Damping with which no impact creates energy if the force of contact is
+     * found at the start of a step and acts over all of it; for stiffness
+     * factors up to largest_stiffness_factor. */
+    double
+    least_damping() const;
+
+    static constexpr double largest_stiffness_factor = 0.5;
+
+    /** Throws InputError if an impact could create energy in this way. */
+    void
+    check_damping() const;
+
   private:
     void
     parse_table(const std::string &text);
