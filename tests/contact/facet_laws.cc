@@ -42,32 +42,39 @@ namespace
     return sums;
   }
 
-  // Two wavy blocks of different meshes that are pressed into each other at
-  // random velocities.
+  /** Two wavy blocks of different meshes, apart. */
+  Blocks<3>
+  wavy_blocks()
+  {
+    Blocks<3> blocks;
+    for (const double side : {-1., 1.})
+      {
+        const unsigned int n = side > 0 ? 4 : 5;
+        blocks.add({{n, n, 2}}, [=](const Point<3> &p) {
+          const double wave = 0.03 * std::sin(7 * p[0] + 5 * p[1]);
+          // apart in the reference, where nothing may overlap
+          return Point<3>(p[0] + 0.1 * side,
+                          p[1],
+                          wave + (side > 0 ? 1 + 0.5 * p[2] : -0.5 * p[2]) -
+                            0.01 * side);
+        });
+        // the second coordinate of the other one runs backwards
+        if (side < 0)
+          for (auto &cell : blocks.mesh.cells)
+            std::swap(cell[0], cell[1]);
+      }
+    return blocks;
+  }
+
+  // They are pressed into each other at random velocities.
   void
   conservation()
   {
     for (const double friction : {0., 0.3})
       {
-        Blocks<3> blocks;
-        for (const double side : {-1., 1.})
-          {
-            const unsigned int n = side > 0 ? 4 : 5;
-            blocks.add({{n, n, 2}}, [=](const Point<3> &p) {
-              const double wave = 0.03 * std::sin(7 * p[0] + 5 * p[1]);
-              // apart in the reference, where nothing may overlap
-              return Point<3>(p[0] + 0.1 * side,
-                              p[1],
-                              wave + (side > 0 ? 1 + 0.5 * p[2] : -0.5 * p[2]) -
-                                0.01 * side);
-            });
-            // the second coordinate of the other one runs backwards
-            if (side < 0)
-              for (auto &cell : blocks.mesh.cells)
-                std::swap(cell[0], cell[1]);
-          }
-        auto law     = parameters();
-        law.friction = friction;
+        const Blocks<3> blocks = wavy_blocks();
+        auto law               = parameters();
+        law.friction           = friction;
         const std::vector<bool> held(blocks.mesh.points.size(), false);
         Motion<3> motion(blocks.mesh,
                          held,
@@ -245,6 +252,71 @@ namespace
               largest);
       }
   }
+
+  // What contact does must not depend on the number of ranks: the communicator
+  // of one rank is the reference.
+  void
+  ranks()
+  {
+    const Blocks<3> blocks = wavy_blocks();
+    auto law               = parameters();
+    law.friction           = 0.3;
+    law.search_margin      = 2e-3; // so that facets are searched anew
+    const auto facets      = coapt::outer_facets(blocks.mesh);
+    const std::vector<bool> held(blocks.mesh.points.size(), false);
+    const Motion<3> motion(blocks.mesh, held, facets, law, 0.1, 0.3, false);
+    coapt::FacetContact<3> alone(
+      blocks.mesh, facets, motion.mass, held, law, 0.1, MPI_COMM_SELF),
+      together(
+        blocks.mesh, facets, motion.mass, held, law, 0.1, MPI_COMM_WORLD);
+
+    std::vector<double> X = motion.X, V = motion.V;
+    for (double &v : V)
+      v = 0.1 * noise();
+    auto other   = V;
+    double error = 0, largest = 0, pressure = 0, force = 0;
+    unsigned int pairs = 0;
+    for (unsigned int step = 0; step < 20; ++step)
+      {
+        for (unsigned int n = 0; n < held.size(); ++n)
+          if (motion.X[3 * n + 2] > 0.5)
+            {
+              X[3 * n]     = motion.X[3 * n] + 2e-3 * step;
+              X[3 * n + 2] = motion.X[3 * n + 2] - 1 - 1e-4 * step;
+            }
+        const auto a = alone.apply_impulse(X.data(), V.data(), motion.dt);
+        const auto b =
+          together.apply_impulse(X.data(), other.data(), motion.dt);
+        pairs += a.pairs == b.pairs ? a.pairs : 0;
+        force = std::max(force,
+                         std::abs(a.normal_force / b.normal_force - 1) +
+                           std::abs(a.friction_power / b.friction_power - 1));
+        for (unsigned int i = 0; i < X.size(); ++i)
+          {
+            error   = std::max(error, std::abs(V[i] - other[i]));
+            largest = std::max(largest, std::abs(V[i]));
+          }
+        for (unsigned int n = 0; n < held.size(); ++n)
+          pressure = std::max(pressure,
+                              std::abs(alone.pressure()[n] /
+                                         (together.pressure()[n] + 1e-300) -
+                                       1) *
+                                (alone.pressure()[n] > 0));
+      }
+    check("same velocities on any number of ranks",
+          pairs > 2000 && error < 1e-11 * largest,
+          error / largest);
+    check("same pressures", pressure < 1e-9, pressure);
+    check("same force and work of friction", force < 1e-9, force);
+
+    auto lowest = other, highest = other;
+    const int n = other.size();
+    MPI_Allreduce(
+      other.data(), lowest.data(), n, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
+    MPI_Allreduce(
+      other.data(), highest.data(), n, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    check("velocities replicated to the bit", lowest == highest);
+  }
 } // namespace
 
 int
@@ -254,4 +326,5 @@ main(int argc, char **argv)
   conservation();
   coulomb();
   bounce();
+  ranks();
 }
