@@ -155,6 +155,7 @@ namespace coapt
                         const double radius)
   {
     points_at_find = points;
+    visited        = 0;
     if (points.empty())
       return;
     const Buckets buckets(points, triangles, radius);
@@ -185,9 +186,11 @@ namespace coapt
     for (int k = from[0]; k <= to[0]; ++k)
       for (int j = from[1]; j <= to[1]; ++j)
         {
-          const int row  = buckets.row(k, j);
-          const auto end = buckets.begin[row + to[2] + 1];
-          for (auto e = buckets.begin[row + from[2]]; e < end; ++e)
+          const int row    = buckets.row(k, j);
+          const auto end   = buckets.begin[row + to[2] + 1];
+          const auto first = buckets.begin[row + from[2]];
+          visited += end - first;
+          for (auto e = first; e < end; ++e)
             {
               const auto &entry   = buckets.entries[e];
               const double limit  = radius + entry.radius;

@@ -7,6 +7,7 @@
 #include "tests.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 
 using namespace coapt;
@@ -75,16 +76,33 @@ namespace
                                                 weights));
   }
 
-  /** Candidates against all triangles, one by one: none in the radius is
-   * missing, no neighbour is among them, and the bounds hold. */
+  /** The columns of strip() anywhere in a box: triangles of all shapes and
+   * sizes that cross each other. */
+  std::vector<double>
+  random_positions(const double side)
+  {
+    std::vector<double> X;
+    for (unsigned int column = 0; column < 41 * 10; ++column)
+      {
+        Point<3> p;
+        for (unsigned int d = 0; d < 3; ++d)
+          p[d] = side * std::rand() / RAND_MAX;
+        for (unsigned int l = 0; l < 3; ++l)
+          X.insert(X.end(), {p[0], p[1], p[2] + (1. - l) * 0.5e-3});
+      }
+    return X;
+  }
+
+  /** Candidates at positions @p X against all triangles, one by one: none in
+   * the radius is missing, no neighbour is among them, and the bounds hold. */
   void
-  candidates()
+  candidates(const std::string &what, const std::vector<double> &X)
   {
     const Sheets sheets = strip();
     const MidSurface surface(sheets.leaflet, sheets.mass);
     std::vector<Point<3>> reference(surface.n_columns()), points(reference);
     surface.positions(sheets.X.data(), reference);
-    surface.positions(positions(1).data(), points);
+    surface.positions(X.data(), points);
 
     std::vector<unsigned int> columns(surface.n_columns());
     std::iota(columns.begin(), columns.end(), 0);
@@ -116,7 +134,7 @@ namespace
                   wrong += !is_candidate[t];
                 }
           }
-        check("search finds what brute force finds, radius " +
+        check("search finds what brute force finds" + what + ", radius " +
                 std::to_string(std::lround(1e4 * radius)) + "e-4 m",
               wrong == 0 && found > 100,
               wrong);
@@ -200,12 +218,76 @@ namespace
     check("gaps while moving", error < 1e-12 && near > 500, error);
   }
 
+  /** Whatever the interval of the search, the same columns touch, with the same
+   * forces: on the strip, and on one whose columns have been shaken at random,
+   * both in motion. (Of triangles that share the nearest point any may be the
+   * partner.) */
+  void
+  intervals()
+  {
+    for (const bool random : {false, true})
+      {
+        const Sheets sheets = strip();
+        std::vector<std::unique_ptr<MidSurfaceContact>> contacts;
+        for (const unsigned int interval : {1, 4, 10})
+          {
+            ContactParameters parameters;
+            parameters.search_interval = interval;
+            contacts.push_back(
+              std::make_unique<MidSurfaceContact>(sheets.leaflet,
+                                                  sheets.mass,
+                                                  Sheets::density,
+                                                  parameters,
+                                                  MPI_COMM_WORLD));
+          }
+        const double clearance = ContactParameters().clearance;
+        const auto noise       = random_positions(random ? 0.8e-3 : 0.);
+        unsigned int different = 0, touching = 0, changes = 0, last = 0;
+        double error = 0;
+        for (unsigned int step = 0; step < 200; ++step)
+          {
+            auto X = positions(0.7 + 0.3 * std::sin(0.02 * step));
+            for (unsigned int i = 0; random && i < X.size(); ++i)
+              X[i] += std::cos(0.05 * step) * noise[i];
+            std::vector<std::vector<double>> V(3, sheets.V);
+            unsigned int pairs[3];
+            for (unsigned int i = 0; i < 3; ++i)
+              pairs[i] =
+                contacts[i]->apply_impulse(X.data(), V[i].data(), 1e-6).pairs;
+            double largest = 0;
+            for (const double v : V[0])
+              largest = std::max(largest, std::abs(v));
+            for (unsigned int i = 1; i < 3; ++i)
+              {
+                const auto &one = contacts[0]->state().gap,
+                           &two = contacts[i]->state().gap;
+                different += pairs[i] != pairs[0];
+                for (unsigned int j = 0; j < V[0].size(); ++j)
+                  error =
+                    std::max(error, std::abs(V[i][j] - V[0][j]) / largest);
+                for (unsigned int c = 0; c < one.size(); ++c)
+                  if (one[c] < clearance || two[c] < clearance)
+                    different += std::abs(one[c] - two[c]) > 1e-12;
+              }
+            touching += pairs[0];
+            changes += pairs[0] != last;
+            last = pairs[0];
+          }
+        const std::string name = random ? " on a random surface" : "";
+        check("same pairs with intervals of 1, 4 and 10" + name,
+              different == 0 && touching > 10000 && changes > 100,
+              different);
+        check("same velocities" + name, error < 1e-9, error);
+      }
+  }
+
   /** With as many elements within the radius, a column has as many
-   * candidates, however many columns there are. */
+   * candidates, and as many triangles are looked at, however many columns there
+   * are. */
   void
   cost()
   {
-    std::vector<double> candidates_per_column;
+    std::vector<double> candidates_per_column, visited_per_column;
     for (const unsigned int n : {20u, 40u, 80u})
       {
         Sheets sheets;
@@ -228,14 +310,25 @@ namespace
         for (const unsigned int c : columns)
           sum += search.candidates(c).size();
         candidates_per_column.push_back(sum / columns.size());
+        visited_per_column.push_back(double(search.n_visited()) /
+                                     columns.size());
       }
     // Columns at the rim have fewer; their share halves each time.
-    const auto growth = [&](const unsigned int i) {
-      return candidates_per_column[i + 1] / candidates_per_column[i] - 1;
+    const auto growth = [&](const std::vector<double> &per_column,
+                            const unsigned int i) {
+      return per_column[i + 1] / per_column[i] - 1;
     };
-    check("work of a column does not grow with their number",
-          growth(1) < 0.06 && growth(1) < 0.55 * growth(0),
-          growth(1));
+    check("candidates of a column do not grow with their number",
+          growth(candidates_per_column, 1) < 0.06 &&
+            growth(candidates_per_column, 1) <
+              0.55 * growth(candidates_per_column, 0),
+          growth(candidates_per_column, 1));
+    check("neither do triangles that are looked at",
+          growth(visited_per_column, 1) < 0.1,
+          growth(visited_per_column, 1));
+    check("of which a fifth are candidates",
+          candidates_per_column[2] > 0.2 * visited_per_column[2],
+          candidates_per_column[2] / visited_per_column[2]);
   }
 
   /** The velocities must not depend on the number of ranks: the communicator
@@ -290,8 +383,10 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  candidates();
+  candidates("", positions(1));
+  candidates(" on a random surface", random_positions(25e-3));
   gaps_while_moving();
+  intervals();
   cost();
   ranks();
 }

@@ -47,6 +47,14 @@ namespace coapt
     std::vector<Candidate> &
     candidates(const unsigned int i);
 
+    /** How many triangles the last find() has looked at, each once for each
+     * column: its cost. */
+    std::size_t
+    n_visited() const
+    {
+      return visited;
+    }
+
     /**
      * Largest displacement of a column (m) since find(), infinite before it.
      * Throws NumericalError if a position is not finite.
@@ -72,6 +80,7 @@ namespace coapt
     std::vector<std::vector<unsigned int>> excluded;
     std::vector<std::vector<Candidate>> found;
     std::vector<unsigned int> mark; // scratch, by triangle
+    std::size_t visited = 0;
     std::vector<dealii::Point<3>> points_at_find;
   };
 } // namespace coapt
