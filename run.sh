@@ -11,8 +11,9 @@ install_packages
 build_targets coapt
 mpirun -np "${COAPT_RANKS:-$cores}" "$build/coapt" "$file"
 
-# Flows and bodies in boxes have no report. The exit code is that of the run: a
+# Flows, bodies in boxes and sheets have no report. The exit code is that of the run: a
 # report that cannot be made, for want of fields, says why.
-if ! grep -Eq '^ *set +Task *= *(flow|immersed)' "$file"; then
-  "$root/tools/coapt-report" "$file" || true
+if ! grep -Eq '^ *set +Task *= *(flow|immersed|biaxial|fit)' "$file"; then
+  "$root/tools/coapt-report" "$file" ||
+    echo "run.sh: the run is complete, but its report could not be made" >&2
 fi

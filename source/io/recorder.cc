@@ -115,6 +115,10 @@ namespace coapt
   {
     if (dealii::Utilities::MPI::this_mpi_process(valve.communicator) != 0)
       return Summary();
+    const std::string doubt =
+      report.doubt_about_orifice(valve.parameters.fluid.density);
+    if (!doubt.empty())
+      log.warn("orifice", doubt);
     std::vector<std::string> warnings;
     for (const Log::Warning &warning : log.warnings())
       warnings.push_back(warning.text + " (" + std::to_string(warning.count) +

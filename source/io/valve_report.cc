@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace coapt
@@ -59,7 +60,10 @@ namespace coapt
          {"bulging_volume_mL", s.bulging_volume / millilitre},
          {"orifice_area_mm2", s.orifice.area / square_millimetre},
          {"orifice_disc_mm", s.orifice.disc / millimetre},
-         {"annulus_force_N", s.annulus_force},
+         {"annulus_force_N", s.annulus_force.norm()},
+         {"annulus_force_x_N", s.annulus_force[0]},
+         {"annulus_force_y_N", s.annulus_force[1]},
+         {"annulus_force_z_N", s.annulus_force[2]},
          {"largest_displacement_mm", s.displacement / millimetre}});
     if (in_blood)
       add({{"tissue_flow_mL_per_s", s.tissue_flow / millilitre},
@@ -69,7 +73,7 @@ namespace coapt
         const std::string plane = "plane_" + std::to_string(i + 1);
         add({{plane + "_flow_mL_per_s", s.plane_flow[i] / millilitre},
              {plane + "_flow_less_swept_mL_per_s",
-              (s.plane_flow[i] - s.swept_flow) / millilitre}});
+              plane_flow_less_swept(s, i) / millilitre}});
       }
     for (unsigned int c = 0; c < s.chordae_tension.size(); ++c)
       row.emplace_back("chordae_" + name_of(static_cast<ChordaClass>(c)) + "_N",
@@ -146,77 +150,44 @@ namespace coapt
 
 
 
-  ValveReport::Closing
-  ValveReport::closing() const
-  {
-    Closing result;
-    for (const ValveSample &sample : samples)
-      if (sample.path_width >= settings.shut_width)
-        result.closed = false;
-      else if (!result.closed)
-        {
-          result.closed = true;
-          result.time   = sample.time;
-          result.volume = sample.outflow_volume;
-        }
-    return result;
-  }
-
-
-
-  double
+  Leak
   ValveReport::leak() const
   {
-    const ValveSample &last  = samples.back();
-    const ValveSample *first = &samples.front();
-    for (const ValveSample &sample : samples)
-      if (sample.time <= last.time - window * (1 - 1e-6))
-        first = &sample;
-    if (!(first->time < last.time))
-      return std::numeric_limits<double>::quiet_NaN();
-    return ((last.outflow_volume - first->outflow_volume) -
-            (last.swept_volume - first->swept_volume) +
-            (last.drained_volume - first->drained_volume)) /
-      (last.time - first->time);
+    return mean_leak(samples, window);
   }
 
 
 
-  double
-  ValveReport::regurgitant_volume() const
+  bool
+  ValveReport::sealed() const
   {
-    const Closing shut = closing();
-    const auto peak    = std::max_element(samples.begin(),
-                                       samples.end(),
-                                       [](const auto &a, const auto &b) {
-                                         return a.outflow < b.outflow;
-                                       });
-    const auto start =
-      std::find_if(peak, samples.end(), [&](const ValveSample &sample) {
-        return shut.closed ? sample.time >= shut.time
-                           : sample.outflow <= 0.1 * peak->outflow;
-      });
-    if (start == samples.end())
-      return std::numeric_limits<double>::quiet_NaN();
+    return closing(samples, settings.shut_width).closed &&
+      (!settings.in_blood || leak().total() <= largest_leak);
+  }
+
+
+
+  void
+  ValveReport::set_volumes(Summary &result) const
+  {
+    const Closing shut      = closing(samples, settings.shut_width);
+    const double none       = std::numeric_limits<double>::quiet_NaN();
     const ValveSample &last = samples.back();
-    return (last.outflow_volume - start->outflow_volume) -
-      (last.swept_volume - start->swept_volume);
-  }
 
-
-
-  double
-  ValveReport::tissue_flow() const
-  {
-    double sum     = 0;
-    unsigned int n = 0;
-    for (const ValveSample &sample : samples)
-      if (sample.time >= samples.back().time - window)
-        {
-          sum += sample.tissue_flow;
-          ++n;
-        }
-    return sum / n;
+    result.set("sealed", sealed());
+    result.set("closing_time_s", shut.closed ? shut.time : none);
+    if (!settings.in_blood)
+      return;
+    const Leak flow = leak();
+    result.set("leak_mL_per_s", flow.total() / millilitre);
+    result.set("leak_through_gaps_mL_per_s", flow.gaps / millilitre);
+    result.set("leak_through_tissue_mL_per_s", flow.tissue / millilitre);
+    result.set("leak_drained_mL_per_s", flow.drained / millilitre);
+    result.set("regurgitant_volume_mL",
+               regurgitant_volume(samples, shut) / millilitre);
+    result.set("flow_peak_mL_per_s", last.peak_outflow / millilitre);
+    result.set("closing_volume_mL",
+               shut.closed ? shut.volume / millilitre : none);
   }
 
 
@@ -281,22 +252,78 @@ namespace coapt
 
 
 
+  double
+  ValveReport::effective_area(const double density) const
+  {
+    return effective_orifice_area(leak().gaps,
+                                  samples.back().pressure,
+                                  density);
+  }
+
+
+
   Summary
   ValveReport::orifice_figures(const double density) const
   {
-    const ValveSample &last = samples.back();
+    const Orifice &seen = samples.back().orifice;
     Summary result;
-    result.set("seen_area_mm2", last.orifice.area / square_millimetre);
-    result.set("largest_disc_mm", last.orifice.disc / millimetre);
-    result.set("x_mm", last.orifice.center[0] / millimetre);
-    result.set("y_mm", last.orifice.center[1] / millimetre);
-    if (settings.in_blood)
-      result.set("effective_area_mm2",
-                 effective_orifice_area(leak() - tissue_flow(),
-                                        last.pressure,
-                                        density) /
-                   square_millimetre);
+    result.set("seen_area_mm2", seen.area / square_millimetre);
+    result.set("largest_disc_mm", seen.disc / millimetre);
+    result.set("x_mm", seen.center[0] / millimetre);
+    result.set("y_mm", seen.center[1] / millimetre);
+    if (!settings.in_blood)
+      return result;
+    const double effective = effective_area(density);
+    result.set("effective_area_mm2", effective / square_millimetre);
+    result.set("effective_over_seen_area", effective / seen.area);
     return result;
+  }
+
+
+
+  Summary
+  ValveReport::plane_figures() const
+  {
+    Summary result;
+    for (unsigned int i = 0; i < samples.back().plane_flow.size(); ++i)
+      {
+        const auto flow = [i](const ValveSample &sample) {
+          return sample.plane_flow[i];
+        };
+        const auto less_swept = [i](const ValveSample &sample) {
+          return plane_flow_less_swept(sample, i);
+        };
+        Summary figures;
+        figures.set("flow_mL_per_s",
+                    window_mean(samples, window, flow) / millilitre);
+        figures.set("flow_less_swept_mL_per_s",
+                    window_mean(samples, window, less_swept) / millilitre);
+        result.set("plane_" + std::to_string(i + 1), figures);
+      }
+    return result;
+  }
+
+
+
+  std::string
+  ValveReport::doubt_about_orifice(const double density) const
+  {
+    if (!settings.in_blood || !(leak().gaps > largest_leak))
+      return "";
+    const double seen = samples.back().orifice.area,
+                 jet  = effective_area(density);
+    if (orifices_agree(seen, jet, orifice_factor))
+      return "";
+    char text[200];
+    std::snprintf(text,
+                  sizeof(text),
+                  "the leak through gaps, %.3g mL/s, belongs to an orifice of "
+                  "%.3g mm^2, but %.3g mm^2 are seen along the axis: either "
+                  "the way through is oblique or the leak is not that of a jet",
+                  leak().gaps / millilitre,
+                  jet / square_millimetre,
+                  seen / square_millimetre);
+    return text;
   }
 
 
@@ -308,28 +335,15 @@ namespace coapt
                        const std::vector<std::string> &warnings) const
   {
     const ValveSample &last = samples.back();
-    const Closing shut      = closing();
-    const double none       = std::numeric_limits<double>::quiet_NaN();
 
     const MeanTractions tractions = mean_tractions();
     const CoaptationResult belt =
       monitor.coaptation(tractions.contact, tractions.total);
 
     Summary result;
-    result.set("sealed",
-               shut.closed && (!settings.in_blood || leak() <= largest_leak));
-    result.set("closing_time_s", shut.closed ? shut.time : none);
-    if (settings.in_blood)
-      {
-        result.set("leak_mL_per_s", leak() / millilitre);
-        result.set("leak_through_tissue_mL_per_s", tissue_flow() / millilitre);
-        result.set("leak_through_gaps_mL_per_s",
-                   (leak() - tissue_flow()) / millilitre);
-        result.set("regurgitant_volume_mL", regurgitant_volume() / millilitre);
-        result.set("flow_peak_mL_per_s", last.peak_outflow / millilitre);
-        result.set("closing_volume_mL",
-                   shut.closed ? shut.volume / millilitre : none);
-      }
+    set_volumes(result);
+    if (!last.plane_flow.empty())
+      result.set("planes", plane_figures());
     result.set("bulging_volume_mL", last.bulging_volume / millilitre);
     result.set("coaptation_area_mm2", belt.area / square_millimetre);
     result.set("coaptation_force_N", belt.force);
@@ -346,6 +360,7 @@ namespace coapt
     Summary path;
     path.set("width_mm", last.path_width / millimetre);
     path.set("gap_mm", last.path_gap / millimetre);
+    path.set("shut_below_mm", settings.shut_width / millimetre);
     path.set("place", place_name(last.path.position));
     path.set("x_mm", last.path.position[0] / millimetre);
     path.set("y_mm", last.path.position[1] / millimetre);
@@ -363,7 +378,10 @@ namespace coapt
         monitor.chordae_peaks().peak(static_cast<ChordaClass>(c)).tension);
     result.set("chordae_peak_N", chordae);
 
-    result.set("annulus_force_N", last.annulus_force);
+    result.set("annulus_force_N", last.annulus_force.norm());
+    for (unsigned int d = 0; d < 3; ++d)
+      result.set(std::string("annulus_force_") + "xyz"[d] + "_N",
+                 last.annulus_force[d]);
     result.set("largest_displacement_mm", last.displacement / millimetre);
     Summary held;
     for (const auto &[name, displacement] : last.held_displacement)

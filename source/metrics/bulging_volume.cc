@@ -132,4 +132,21 @@ namespace coapt
       }
     return volume;
   }
+
+
+
+  std::array<double, n_regions>
+  bulging_by_region(const std::vector<Point<3>> &annulus,
+                    const std::vector<Point<3>> &points,
+                    const std::vector<std::array<unsigned int, 3>> &triangles,
+                    const std::vector<Region> &regions)
+  {
+    std::array<std::vector<std::array<unsigned int, 3>>, n_regions> parts;
+    for (unsigned int i = 0; i < triangles.size(); ++i)
+      parts[static_cast<unsigned int>(regions[i])].push_back(triangles[i]);
+    std::array<double, n_regions> result;
+    for (unsigned int i = 0; i < n_regions; ++i)
+      result[i] = bulging_volume(annulus, points, parts[i]);
+    return result;
+  }
 } // namespace coapt

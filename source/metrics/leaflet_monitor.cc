@@ -78,14 +78,13 @@ namespace coapt
   LeafletMonitor::bulging_by_region() const
   {
     // Two triangles for each quadrilateral, in their order.
-    std::array<std::vector<std::array<unsigned int, 3>>, n_regions> parts;
-    for (unsigned int i = 0; i < valve.surface.size(); ++i)
-      parts[static_cast<unsigned int>(valve.leaflet.quad_region[i / 2])]
-        .push_back(valve.surface[i]);
-    std::array<double, n_regions> result;
-    for (unsigned int i = 0; i < n_regions; ++i)
-      result[i] = bulging_volume(annulus(), surface_points, parts[i]);
-    return result;
+    std::vector<Region> regions;
+    for (const Region region : valve.leaflet.quad_region)
+      regions.insert(regions.end(), 2, region);
+    return coapt::bulging_by_region(annulus(),
+                                    surface_points,
+                                    valve.surface,
+                                    regions);
   }
 
 
@@ -101,14 +100,14 @@ namespace coapt
 
 
 
-  double
+  Tensor<1, 3>
   LeafletMonitor::annulus_force(const std::vector<double> &X,
                                 const std::vector<double> &V) const
   {
     std::vector<double> force(X.size(), 0.);
     valve.solid->add_forces(X.data(), V.data(), force.data());
     dealii::Utilities::MPI::sum(force, valve.communicator, force);
-    return force_on_supports(valve.leaflet.pinned, force).norm();
+    return force_on_supports(valve.leaflet.pinned, force);
   }
 
 

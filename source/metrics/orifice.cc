@@ -198,4 +198,12 @@ namespace coapt
     return leak > 0 && pressure > 0 ? leak / std::sqrt(2 * pressure / density)
                                     : 0.;
   }
+
+
+
+  bool
+  orifices_agree(const double seen, const double effective, const double factor)
+  {
+    return seen <= factor * effective && effective <= factor * seen;
+  }
 } // namespace coapt

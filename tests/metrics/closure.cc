@@ -147,6 +147,24 @@ namespace
           map.points.size());
   }
 
+  /** The jet of a hole with a sharp edge agrees with what is seen of the hole;
+   * not that of a hole three times as large, nor one that is not seen. */
+  void
+  check_jet(const double seen)
+  {
+    const double pressure = 13e3, density = 1060, contraction = 0.61;
+    const double flow = contraction * seen * std::sqrt(2 * pressure / density);
+    const double jet  = effective_orifice_area(flow, pressure, density);
+    check_relative("contraction of the jet", jet / seen, contraction, 1e-12);
+    check("jet and orifice agree", orifices_agree(seen, jet, 3));
+    check("they do not with three times the leak of Bernoulli's law",
+          !orifices_agree(seen, 3.01 / contraction * jet, 3));
+    check("nor with a quarter of it",
+          !orifices_agree(seen, 0.25 / contraction * jet, 3));
+    check("nor if nothing is seen", !orifices_agree(0, jet, 3));
+    check("nothing seen, no leak", orifices_agree(0, 0, 3));
+  }
+
   /** A plate of 30 x 20 mm with a hole of @p a x @p b at (3, -2) mm, tilted. */
   void
   check_orifice(const double a, const double b)
@@ -262,6 +280,7 @@ main(int argc, char **argv)
   check_unrolled(leaflet, lines);
   check_orifice(6e-3, 2e-3);
   check_orifice(1e-3, 4e-3);
+  check_jet(6e-3 * 2e-3);
   check_sections(leaflet);
 
   check_relative("jet of 1 cm^3/s under 10 kPa",

@@ -8,6 +8,7 @@
 #include "tests.h"
 
 #include <functional>
+#include <numeric>
 
 using namespace coapt;
 using dealii::Point;
@@ -169,6 +170,39 @@ namespace
     check("an annulus of three points is refused", refused);
   }
 
+  /** A cap of which one half, one quarter and another quarter are parts. */
+  void
+  bulging_of_parts()
+  {
+    const unsigned int n_rings = 20, n_angles = 84;
+    std::vector<Point<3>> points;
+    Triangles triangles;
+    const auto flat = [](double, double) { return 0.; };
+    const auto cap  = [](const double x, const double y) {
+      return 3e-3 * (1 - xi_squared(x) - eta_squared(y));
+    };
+    ellipse(n_rings, n_angles, 1, cap, points, triangles);
+    std::vector<Region> regions;
+    for (unsigned int i = 0; i < n_rings; ++i)
+      for (unsigned int j = 0; j < n_angles; ++j)
+        regions.insert(regions.end(),
+                       2,
+                       j < n_angles / 2         ? Region::anterior
+                         : j < 3 * n_angles / 4 ? Region::posterior
+                                                : Region::commissure);
+    const double total = bulging_volume(annulus(flat), points, triangles);
+    const auto parts =
+      bulging_by_region(annulus(flat), points, triangles, regions);
+    check_relative("bulging of the parts adds up",
+                   std::accumulate(parts.begin(), parts.end(), 0.),
+                   total,
+                   1e-12);
+    check_relative("half of a cap", parts[0], total / 2, 1e-9);
+    check_relative("a quarter of it", parts[1], total / 4, 1e-9);
+    check_relative("the other quarter", parts[2], total / 4, 1e-9);
+    check("parts that are not there", parts[3] == 0 && parts[4] == 0);
+  }
+
   void
   swept()
   {
@@ -233,6 +267,7 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   bulging();
+  bulging_of_parts();
   swept();
   peaks();
 }

@@ -1,9 +1,12 @@
 """Opens a report in headless Chromium and asserts that it is whole: no errors,
 no network, every picture present, every 3D canvas drawn, text that fits.
 
-check_page.py REPORT [FOLDER] writes screenshots into the folder, if given.
+check_page.py REPORT --pictures NUMBER [--findings NUMBER] [--shots FOLDER]
+counts pictures and findings; writes screenshots into the folder, if given.
 """
 
+import argparse
+import base64
 import os
 import sys
 
@@ -27,6 +30,14 @@ for (const element of document.body.querySelectorAll('*')) {
               element.textContent.slice(0, 40));
 }
 return wide;
+"""
+
+# What is said of each finding.
+FINDINGS = """
+const title = document.getElementById('findings');
+if (!title) return [];
+return [...title.nextElementSibling.querySelectorAll('tbody tr')].map(
+  (row) => row.lastElementChild.textContent);
 """
 
 PICTURES = """
@@ -109,7 +120,6 @@ def check_controls(driver):
 
 def take_screenshot(driver, file, width):
     """The whole page as a picture."""
-    import base64
     height = driver.execute_script("return document.body.scrollHeight")
     set_width(driver, width, height)
     driver.implicitly_wait(1)
@@ -118,7 +128,15 @@ def take_screenshot(driver, file, width):
         stream.write(base64.b64decode(shot["data"]))
 
 
-def check_page(driver, report, folder):
+def check_findings(driver, number):
+    """There are so many findings, each with a word."""
+    words = driver.execute_script(FINDINGS)
+    check(len(words) == number and
+          all(word in ("pass", "fail", "not run") for word in words),
+          f"{len(words)} findings {words}")
+
+
+def check_page(driver, report, n_pictures, n_findings, folder):
     """All assertions, at all widths."""
     for width in WIDTHS:
         set_width(driver, width)
@@ -131,9 +149,10 @@ def check_page(driver, report, folder):
             ".map((entry) => entry.name).filter((n) => !n.startsWith('data:'))")
         check(not loaded, f"{width}: nothing is loaded from elsewhere {loaded}")
         images = driver.execute_script(PICTURES)
-        check(len(images) >= 8 and all(image[1] and image[2] > 0
-                                       for image in images),
-              f"{width}: {len(images)} pictures are present")
+        check(len(images) == n_pictures and all(
+            image[1] and image[2] > 0 for image in images),
+            f"{width}: {len(images)} of {n_pictures} pictures are present")
+        check_findings(driver, n_findings)
         check(all(image[0] for image in images),
               f"{width}: every picture has a text in its place")
         shares = driver.execute_script(CANVASES)
@@ -146,12 +165,23 @@ def check_page(driver, report, folder):
     check_controls(driver)
 
 
+def arguments():
+    """Reads the command line."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("report")
+    parser.add_argument("--pictures", type=int, required=True)
+    parser.add_argument("--findings", type=int, default=0)
+    parser.add_argument("--shots")
+    return parser.parse_args()
+
+
 def main():
     """Checks the report that is named on the command line."""
+    options = arguments()
     driver = browser()
     try:
-        check_page(driver, sys.argv[1],
-                   sys.argv[2] if len(sys.argv) > 2 else None)
+        check_page(driver, options.report, options.pictures, options.findings,
+                   options.shots)
     finally:
         driver.quit()
     return 1 if failures else 0

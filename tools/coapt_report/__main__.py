@@ -4,6 +4,7 @@ import argparse
 import os
 import sys
 
+from . import pictures
 from .page import page
 from .run import OutputError, runs_of
 
@@ -23,7 +24,26 @@ def arguments():
     parser.add_argument("-t", "--title", help="title of the report")
     parser.add_argument("-l", "--label", action="append", default=[],
                         help="name of a run, in the order of the runs")
+    parser.add_argument("--times", type=times_of, default=[], metavar="MS,...",
+                        help="times (ms) at which to show streamlines, which "
+                        "are also written as VTK files beside the report "
+                        "(default: at the largest flow and, if the valve "
+                        "leaks, at the end, without files)")
     return parser.parse_args()
+
+
+def times_of(text):
+    """The times (s) of a list of them in ms."""
+    return [1e-3 * float(time) for time in text.split(",")]
+
+
+def write_streamlines(runs, times, file):
+    """Writes the streamlines of all runs in blood beside a report; returns the
+    names of the files."""
+    stem = os.path.splitext(os.path.abspath(file))[0] + "_streamlines"
+    return [name for i, run in enumerate(runs) if run.in_blood
+            for name in pictures.write_streamlines(
+                run, times, stem if len(runs) == 1 else f"{stem}_{i + 1}")]
 
 
 def common_folder(runs):
@@ -49,10 +69,14 @@ def main():
     title = options.title or (
         "Closure of a mitral valve" if len(runs) == 1 else
         f"Closure of {len(runs)} mitral valves")
+    text = page(runs, title, times=options.times)
     with open(file, "w", encoding="utf-8") as stream:
-        stream.write(page(runs, title))
+        stream.write(text)
+    if options.times:
+        print("\n".join(write_streamlines(runs, options.times, file)))
     print(os.path.abspath(file))
     return 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

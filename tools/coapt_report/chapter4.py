@@ -51,9 +51,10 @@ def main():
     print(markdown(found), end="")
     if runs:
         report = os.path.join(folder, "report.html")
+        text = page(list(runs.values()),
+                    "Four valves: the study of chapter 4", found)
         with open(report, "w", encoding="utf-8") as file:
-            file.write(page(list(runs.values()),
-                            "Four valves: the study of chapter 4", found))
+            file.write(text)
         print(os.path.abspath(report))
     return 0 if all(f.passed for f in found) else 1
 

@@ -13,6 +13,7 @@ from .run import cell_array, point_array, points_of
 LEAFLETS = ("Anterior", "Posterior")
 SEGMENTS = ("A1", "A2", "A3", "P1", "P2", "P3")
 ANTERIOR, POSTERIOR, COMMISSURE = 0, 1, 2
+NO_GAP = .999e-2  # m; the gap of what faces nothing is 1e-2
 REGIONS = ("anterior", "posterior", "commissures")
 
 
@@ -91,13 +92,22 @@ def draw_outline(ax, points, triangles, region):
                     linewidth=.7)
 
 
+def map_values(grid, name):
+    """What a map shows of a quantity: pressure where there is coaptation, the
+    gap where something faces the place."""
+    values = point_array(grid, name)
+    if name == TRACTION.name:
+        return values * (point_array(grid, "coapts") > 0)
+    if name == "gap":
+        return numpy.where(values < NO_GAP, values, numpy.nan)
+    return values
+
+
 def map_figure(run, name, title, factor, table, bottom, top):
     """A quantity on the unrolled leaflet; blank where it is no number."""
     grid = map_of(run)
     points, triangles = 1e3 * points_of(grid), triangles_of(grid)
-    values = point_array(grid, name) / factor
-    if name == TRACTION.name:
-        values = values * (point_array(grid, "coapts") > 0)
+    values = map_values(grid, name) / factor
     figure, axes = pyplot.subplots(figsize=(5.6, 2.2), layout="constrained")
     shown = axes.tripcolor(points[:, 0], points[:, 1], triangles,
                            numpy.nan_to_num(values), cmap=table,
@@ -158,8 +168,27 @@ def distribution_figure(runs):
     return plots.encoded(figure)
 
 
-def section_figure(runs):
-    """The closed leaflets cut in the middle, and the open ones of the first
+def section_places(runs):
+    """Where the leaflets of any run are cut: x (mm), from left to right."""
+    places = set()
+    for run in runs:
+        table = run.table("sections.csv")
+        if table is not None:
+            places |= set(numpy.round(table["x_mm"], 3) + 0.)
+    return sorted(places)
+
+
+def draw_section(ax, table, x, closed, **style):
+    """The curves in which one plane cuts the leaflets."""
+    chosen = ((numpy.abs(table["x_mm"] - x) < 1e-3) &
+              (table["closed"] == closed))
+    for curve in numpy.unique(table["curve"][chosen]):
+        piece = chosen & (table["curve"] == curve)
+        ax.plot(table["y_mm"][piece], table["z_mm"][piece], **style)
+
+
+def section_figure(runs, x):
+    """The closed leaflets cut at one place, and the open ones of the first
     run."""
     figure, axes = plots.figure_of(height=3.4)
     ax = axes[0, 0]
@@ -167,16 +196,9 @@ def section_figure(runs):
         table = run.table("sections.csv")
         if table is None:
             continue
-        middle = numpy.abs(table["x_mm"]) < 1e-6
-        for closed in (0, 1):
-            if closed == 0 and i > 0:
-                continue
-            chosen = middle & (table["closed"] == closed)
-            for curve in numpy.unique(table["curve"][chosen]):
-                piece = chosen & (table["curve"] == curve)
-                ax.plot(table["y_mm"][piece], table["z_mm"][piece],
-                        color=plots.colour_of(i) if closed else "#aaa",
-                        linestyle="-" if closed else "--")
+        if i == 0:
+            draw_section(ax, table, x, 0, color="#aaa", linestyle="--")
+        draw_section(ax, table, x, 1, color=plots.colour_of(i))
     ax.set_aspect("equal")
     ax.set_xlabel("posterior      y, mm      anterior")
     ax.set_ylabel("z, mm")
@@ -241,6 +263,20 @@ def region_rows(runs):
                            if plots.is_finite(value) else "–")
             rows.append(row)
     return rows
+
+
+def belt_sentence(run):
+    """The verdict of the belt of coaptation: whether a way along it leads
+    from commissure to commissure."""
+    if run.summary["coaptation_belt_continuous"]:
+        return "Belt of coaptation: unbroken from commissure to commissure."
+    gaps = run.summary.get("gaps", {})
+    number = int(gaps.get("number", 0))
+    if number == 0:
+        return "Belt of coaptation: broken."
+    longest = max(gaps[f"gap_{i + 1}"]["length_mm"] for i in range(number))
+    return (f"Belt of coaptation: {number} gap{'s' * (number > 1)}, "
+            f"{'the longest ' * (number > 1)}{longest:.1f} mm long.")
 
 
 def gap_sentences(run):

@@ -40,6 +40,12 @@ GROUPS = (
         Row("… through gaps", "leak_through_gaps_mL_per_s", "mL/s", "{:.2f}"),
         Row("… through the tissue (numerical)", "leak_through_tissue_mL_per_s",
             "mL/s", "{:.2f}"),
+        Row("… drained from films (numerical)", "leak_drained_mL_per_s",
+            "mL/s", "{:.2f}"),
+        Row("Flow past the leaflets at the first plane",
+            "planes/plane_1/flow_less_swept_mL_per_s", "mL/s", "{:.2f}"),
+        Row("… at the second plane",
+            "planes/plane_2/flow_less_swept_mL_per_s", "mL/s", "{:.2f}"),
         Row("Regurgitant volume", "regurgitant_volume_mL", "mL", "{:.3f}"),
         Row("Closing volume", "closing_volume_mL", "mL"),
         Row("Largest flow to the atrium", "flow_peak_mL_per_s", "mL/s",
@@ -53,11 +59,13 @@ GROUPS = (
             "{:.2f}"),
         Row("Orifice that the leak belongs to", "orifice/effective_area_mm2",
             "mm²", "{:.2f}"),
+        Row("… over the orifice seen", "orifice/effective_over_seen_area", "",
+            "{:.2f}"),
         Row("Largest Reynolds number at the annulus", "reynolds_peak", "",
             "{:,.0f}"))),
     ("Coaptation", (
         Row("Gaps in the belt", "gaps/number", "", "{:.0f}"),
-        Row("Belt from commissure to commissure",
+        Row("Belt unbroken from commissure to commissure",
             "coaptation_belt_continuous"),
         Row("Area of coaptation", "coaptation_area_mm2", "mm²", "{:.0f}"),
         Row("Height in contact, anterior (mean)",
@@ -75,7 +83,9 @@ GROUPS = (
         Row("Mean of the largest principal stress",
             "principal_stress_mean_kPa", "kPa", "{:.1f}"),
         Row("Mean of the largest strain", "strain_mean", "", "{:.3f}"),
-        Row("Force on the annulus", "annulus_force_N", "N", "{:.2f}"))),
+        Row("Force on the annulus", "annulus_force_N", "N", "{:.2f}"),
+        Row("… along the axis, towards the atrium", "annulus_force_z_N", "N",
+            "{:.2f}"))),
     ("Largest force of a single chorda", (
         Row("Anterior primary", "chordae_peak_N/anterior_primary", "N",
             "{:.2f}"),
@@ -111,8 +121,9 @@ def verdict(run):
     """Whether the valve is sealed, and a sentence or two about it."""
     summary = run.summary
     sealed = bool(summary["sealed"])
-    leak = (leak_text(summary["leak_mL_per_s"]) if run.in_blood
-            else "Closed by pressure alone, without blood.")
+    leak = (leak_text(summary["leak_mL_per_s"],
+                      summary.get("leak_through_gaps_mL_per_s"))
+            if run.in_blood else "Closed by pressure alone, without blood.")
     path = summary["widest_path"]
     if sealed:
         text = (f"Shut from {1e3 * summary['closing_time_s']:.0f} ms on. "
@@ -127,12 +138,14 @@ def verdict(run):
     return sealed, text
 
 
-def leak_text(leak):
-    """The leak in words."""
+def leak_text(leak, gaps):
+    """The leak (mL/s) in words, and what of it goes through gaps."""
     if not is_finite(leak):
         return "The run is too short to tell the leak."
     if abs(leak) < .005:
         return "No leak (below 0.01 mL/s)."
     if leak < 0:
         return f"No leak ({-leak:.2f} mL/s flow back)."
-    return f"The leak is {leak:.2f} mL/s."
+    real = (f", {gaps:.2f} mL/s of it through gaps" if is_finite(gaps)
+            else "")
+    return f"The leak is {leak:.2f} mL/s{real}."

@@ -52,13 +52,14 @@ def verdict_section(runs):
     boxes = []
     for run in runs:
         sealed, text = figures.verdict(run)
-        if not sealed:
-            text = " ".join([text] + closure.gap_sentences(run))
+        belt = " ".join([closure.belt_sentence(run)] +
+                        closure.gap_sentences(run))
         name = f"<div>{html.escape(run.label)}</div>"
         boxes.append(
             f'<div class="verdict{" sealed" if sealed else ""}">{name}'
             f'<div class="word">{"Sealed" if sealed else "Not sealed"}</div>'
-            f"<p>{html.escape(text)}</p>{key_figures(run)}</div>")
+            f"<p>{html.escape(text)}</p>"
+            f'<p class="belt">{html.escape(belt)}</p>{key_figures(run)}</div>')
     return '<div class="verdicts">' + "\n".join(boxes) + "</div>"
 
 
@@ -156,7 +157,8 @@ def flow_section(runs):
                        "Flow out at the atrial end, and the pressure of the "
                        "ventricle that drives it.") +
                 figure(plots.leak_figure(runs),
-                       "Blood that has passed the valve: the outflow less "
+                       "Blood that has passed the valve: the outflow and what "
+                       "is drained from films between the leaflets, less "
                        "what the leaflets push ahead of them. It stays level "
                        "once the valve is sealed."))
     return ('<h2 id="flow">Flow and closure</h2>' + run_colours(runs) +
@@ -172,6 +174,14 @@ def flow_section(runs):
              else "") + "</div>")
 
 
+def gap_map(run, name):
+    """How far each place is from the other leaflet."""
+    return figure(
+        closure.map_figure(run, "gap", "gap, mm", 1e-3, "viridis_r", 0, 2),
+        f"{name}Gap between each place and what faces it (blank: nothing "
+        "within 10 mm).")
+
+
 def slip_figure(run, name):
     """How far places have slid, if that is known."""
     table = run.table("contact_map.csv")
@@ -181,6 +191,15 @@ def slip_figure(run, name):
     return figure(
         closure.map_figure(run, "slip", "slip, mm", 1e-3, "YlOrBr", 0, top),
         f"{name}How far each place has slid on the other leaflet.")
+
+
+def section_figures(runs):
+    """The leaflets cut at all places."""
+    return "".join(
+        figure(closure.section_figure(runs, x),
+               "In the middle." if x == 0 else
+               f"{abs(x):.1f} mm to the {'left' if x < 0 else 'right'} of it.")
+        for x in closure.section_places(runs))
 
 
 def coaptation_section(runs):
@@ -209,7 +228,7 @@ def coaptation_section(runs):
             closure.map_figure(run, "first_contact", "time, ms", 1e-3,
                                "viridis", 0, 1e3 * last),
             f"{name}When each place first touched (blank: never).") +
-            slip_figure(run, name) + "</div>")
+            gap_map(run, name) + slip_figure(run, name) + "</div>")
     parts += [
         run_colours(runs), '<div class="figures">',
         figure(closure.belt_figure(runs),
@@ -218,8 +237,10 @@ def coaptation_section(runs):
         figure(closure.distribution_figure(runs),
                "Share of the belt where the pressure exceeds t: all that "
                "presses (full) and contact alone (dotted)."),
-        figure(closure.section_figure(runs),
-               "The leaflets cut in the middle: closed, and open (dashed)."),
+        "</div>",
+        "<h3>The leaflets cut across, closed and open (dashed)</h3>",
+        '<div class="figures">',
+        section_figures(runs),
         "</div>",
         "<h3>Coaptation length by segment, mm</h3>",
         table([""] + [text for run in runs for text in (
@@ -232,14 +253,14 @@ def coaptation_section(runs):
     return "\n".join(parts)
 
 
-def streamline_section(runs):
-    """Where the blood goes, if there is any."""
+def streamline_section(runs, times):
+    """Where the blood goes, if there is any, at the given times (s)."""
     runs = [run for run in runs if run.in_blood]
     if not runs:
         return ""
     parts = ['<h3>Streamlines</h3><div class="pictures">']
     for run in runs:
-        for caption, source, top in pictures.streamline_pictures(run):
+        for caption, source, top in pictures.streamline_pictures(run, times):
             name = f"{run.label}. {caption}" if len(runs) > 1 else caption
             parts.append("<div>" + figure(source, name, f"Flow, {name}") +
                          legend(colours.SPEED, top) + "</div>")
@@ -325,15 +346,17 @@ def set_up_section(runs):
     return "\n".join(parts)
 
 
-def page(runs, title, findings=()):
-    """The whole report as HTML, with findings of a study, if there are some."""
+def page(runs, title, findings=(), times=()):
+    """The whole report as HTML, with findings of a study, if there are some,
+    and streamlines at the given times (s), or at those that are worth it."""
     ranges = colours.common_ranges(runs)
-    sections = [verdict_section(runs), finding_section(findings), picture_section(runs, ranges),
-                view_section(runs, ranges), coaptation_section(runs), flow_section(runs), streamline_section(runs),
-                load_section(runs), figure_section(runs),
-                set_up_section(runs)]
-    links = (("findings", "Findings"), ("pictures", "The valve"), ("turn", "3D"), ("coaptation", "Coaptation"),
-             ("flow", "Flow"),
+    sections = [verdict_section(runs), finding_section(findings),
+                picture_section(runs, ranges), view_section(runs, ranges),
+                coaptation_section(runs), flow_section(runs),
+                streamline_section(runs, times), load_section(runs),
+                figure_section(runs), set_up_section(runs)]
+    links = (("findings", "Findings"), ("pictures", "The valve"),
+             ("turn", "3D"), ("coaptation", "Coaptation"), ("flow", "Flow"),
              ("loads", "Loads"), ("figures", "Figures"),
              ("set-up", "Set-up"))
     navigation = " ".join(f'<a href="#{name}">{text}</a>'

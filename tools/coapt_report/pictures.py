@@ -227,8 +227,9 @@ def fastest_points(grid, n_seeds=100, share=.01):
     return points_of(grid)[seeds], speed[seeds]
 
 
-def streamline_actor(grid, seeds, top):
-    """Lines along the flow through the seeds, both ways, coloured by speed."""
+def streamlines(grid, seeds, terminal_speed):
+    """Lines along the flow through the seeds, both ways, with the point data
+    "velocity" and "speed"."""
     cloud = vtk.vtkPolyData()
     points = vtk.vtkPoints()
     for seed in seeds:
@@ -241,14 +242,20 @@ def streamline_actor(grid, seeds, top):
     tracer.SetIntegratorTypeToRungeKutta4()
     tracer.SetIntegrationDirectionToBoth()
     tracer.SetMaximumPropagation(.08)
-    tracer.SetTerminalSpeed(1e-3 * top)
+    tracer.SetTerminalSpeed(terminal_speed)
     norm = vtk.vtkArrayCalculator()
     norm.SetInputConnection(tracer.GetOutputPort())
     norm.AddVectorArrayName("velocity")
     norm.SetFunction("mag(velocity)")
     norm.SetResultArrayName("speed")
+    norm.Update()
+    return norm.GetOutput()
+
+
+def streamline_actor(lines, top):
+    """Streamlines as tubes, coloured by speed."""
     tubes = vtk.vtkTubeFilter()
-    tubes.SetInputConnection(norm.GetOutputPort())
+    tubes.SetInputData(lines)
     tubes.SetRadius(1.2e-4)
     tubes.SetNumberOfSides(6)
     mapper = vtk.vtkPolyDataMapper()
@@ -262,6 +269,18 @@ def streamline_actor(grid, seeds, top):
     return actor
 
 
+class Flow:
+    """The blood of a run at one of its fields: streamlines through where it is
+    fastest, its largest speed, and the end of the scale (m/s)."""
+
+    def __init__(self, run, frame):
+        fluid = run.fields("fluid", frame)
+        seeds, speeds = fastest_points(fluid)
+        self.fastest = speeds.max()
+        self.top = round_up(numpy.quantile(speeds, .9))
+        self.lines = streamlines(fluid, seeds, 1e-3 * self.top)
+
+
 def flow_times(run):
     """When streamlines are worth a look: at the largest flow, and at the end
     if something flows there."""
@@ -273,18 +292,40 @@ def flow_times(run):
     return times
 
 
-def streamline_pictures(run):
+def flow_frames(run, times=()):
+    """Names and numbers of the fields that are nearest to the given times (s),
+    or to those that are worth a look; each once."""
+    wanted = [("", time) for time in times] or flow_times(run)
+    frames = {}
+    for name, time in wanted:
+        frames.setdefault(run.frame_at(time), name)
+    return [(name, frame) for frame, name in frames.items()]
+
+
+def streamline_pictures(run, times=()):
     """Triples of caption, data URL and largest speed on the scale."""
     pictures = []
-    for name, time in flow_times(run):
-        frame = run.frame_at(time)
-        fluid = run.fields("fluid", frame)
-        seeds, speeds = fastest_points(fluid)
-        top = round_up(numpy.quantile(speeds, .9))
+    for name, frame in flow_frames(run, times):
+        flow = Flow(run, frame)
         leaflet = leaflet_actor(run.fields("leaflet", frame), None, 1)
         leaflet.GetProperty().SetOpacity(.35)
-        source = picture([streamline_actor(fluid, seeds, top), leaflet,
+        source = picture([streamline_actor(flow.lines, flow.top), leaflet,
                           chordae_actor(run.fields("chordae", frame))], SIDE)
-        pictures.append((f"At {name}, {1e3 * run.times[frame]:.0f} ms; up to "
-                         f"{speeds.max():.1f} m/s", source, top))
+        caption = f"{name}, {1e3 * run.times[frame]:.3g} ms".lstrip(", ")
+        pictures.append((f"At {caption}; up to {flow.fastest:.1f} m/s", source,
+                         flow.top))
     return pictures
+
+
+def write_streamlines(run, times, stem):
+    """Writes streamlines at the given times (s) as VTK files whose names begin
+    with @p stem; returns their names."""
+    files = []
+    for _, frame in flow_frames(run, times):
+        files.append(f"{stem}_{1e3 * run.times[frame]:.3f}ms.vtp")
+        writer = vtk.vtkXMLPolyDataWriter()
+        writer.SetInputData(Flow(run, frame).lines)
+        writer.SetFileName(files[-1])
+        if not writer.Write():
+            raise OSError(f"{files[-1]} cannot be written")
+    return files

@@ -70,16 +70,22 @@ def flow_figure(runs):
     return encoded(figure)
 
 
+def volume_past_leaflets(table):
+    """Volume (mL) that has passed the leaflets: out of the tube and drained
+    from films, less what the leaflets have swept."""
+    return (table["outflow_volume_mL"] - table["swept_volume_mL"] +
+            table.get("drained_volume_mL", 0.))
+
+
 def leak_figure(runs):
-    """Volume that has passed the valve: out of the tube less what the
-    leaflets have swept."""
+    """Volume that has passed the leaflets over time."""
     figure, axes = figure_of()
     for i, run in enumerate(runs):
         if not run.in_blood:
             continue
-        table = run.statistics
-        passed = table["outflow_volume_mL"] - table["swept_volume_mL"]
-        axes[0, 0].plot(1e3 * table["time_s"], passed, color=colour_of(i))
+        axes[0, 0].plot(1e3 * run.statistics["time_s"],
+                        volume_past_leaflets(run.statistics),
+                        color=colour_of(i))
     axes[0, 0].set_ylabel("volume past the leaflets, mL")
     axes[0, 0].set_xlabel("time, ms")
     axes[0, 0].set_ylim(bottom=min(0, axes[0, 0].get_ylim()[0]))
@@ -123,7 +129,7 @@ def gap_figure(runs):
         table = run.statistics
         axes[0, 0].plot(1e3 * table["time_s"], table["widest_path_mm"],
                         color=colour_of(i))
-        axes[0, 0].axhline(.5 * run.cell_size, color=colour_of(i),
+        axes[0, 0].axhline(run.shut_width, color=colour_of(i),
                            linewidth=.8, linestyle=":")
     axes[0, 0].set_ylabel("widest way through, mm")
     axes[0, 0].set_xlabel("time, ms")

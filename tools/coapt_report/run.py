@@ -172,6 +172,15 @@ class Run:
         return self.has("fields/fluid.pvd")
 
     @property
+    def shut_width(self):
+        """Width (mm) beyond contact below which a way through is shut."""
+        if "shut_below_mm" in self.summary["widest_path"]:
+            return self.summary["widest_path"]["shut_below_mm"]
+        if self.in_blood:
+            return .5 * self.cell_size
+        return max(.5 * float(self.parameters["Contact/Clearance"]), .25)
+
+    @property
     def cell_size(self):
         """Finest fluid cell (mm)."""
         return (float(self.parameters["Mesh/Coarse cell"]) /

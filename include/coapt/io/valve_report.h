@@ -4,6 +4,7 @@
 #include <coapt/io/closure_maps.h>
 #include <coapt/io/statistics.h>
 #include <coapt/io/summary.h>
+#include <coapt/metrics/closure_volumes.h>
 #include <coapt/metrics/leaflet_monitor.h>
 
 #include <string>
@@ -62,10 +63,10 @@ namespace coapt
    * clearance touch, so the width of a path is that beyond the clearance.
    * Closing time: the first sample from which on the widest path through the
    * valve stays below the width that is called shut, half a fluid cell or
-   * half the clearance. Leak: what flows out at the atrial
-   * end minus what the leaflets sweep, mean over the last 20 ms; coaptation is
-   * that of the mean tractions over the same window. Sealed: the widest path
-   * is shut at the end, and the leak at most 1 mL/s.
+   * half the clearance. Leak: what leaves the ventricle, by the atrial end or
+   * drained from films, minus what the leaflets sweep, mean over the last 20
+   * ms; coaptation is that of the mean tractions over the same window. Sealed:
+   * the widest path is shut at the end, and the leak at most 1 mL/s.
    */
   class ValveReport
   {
@@ -75,6 +76,10 @@ namespace coapt
     static constexpr double window       = 20e-3;
     static constexpr double largest_leak = 1e-6;
     /** @} */
+
+    /** Factor by which the orifice that is seen and that which the leak
+     * belongs to may differ without a warning. */
+    static constexpr double orifice_factor = 3;
 
     explicit ValveReport(const ReportSettings &settings);
 
@@ -97,29 +102,25 @@ namespace coapt
     MeanTractions
     mean_tractions() const;
 
+    /** What is to be said if the leak through gaps does not fit the orifice
+     * that is seen, in blood of this @p density (kg/m^3); empty if it does, or
+     * if the leak is that of a sealed valve. */
+    std::string
+    doubt_about_orifice(const double density) const;
+
   private:
-    struct Closing
-    {
-      bool closed   = false;
-      double time   = 0;
-      double volume = 0;
-    };
-
-    Closing
-    closing() const;
-
-    double
+    /** Mean leak over the window. */
+    Leak
     leak() const;
 
-    /** Blood that has passed the valve since the leaflets met: since closing,
-     * or, in a valve that does not close, since the outflow has fallen to a
-     * tenth of its peak. */
-    double
-    regurgitant_volume() const;
+    /** Whether the widest path is shut and the leak within its bound. */
+    bool
+    sealed() const;
 
-    /** Flow of blood through the tissue, mean over the window. */
-    double
-    tissue_flow() const;
+    /** Sets whether and when the valve has closed, and the flows and volumes
+     * that tell how well. */
+    void
+    set_volumes(Summary &result) const;
 
     /** Largest Reynolds number so far. */
     double
@@ -129,6 +130,16 @@ namespace coapt
      * how many cells were distorted at a time. */
     void
     set_distortion(Summary &result) const;
+
+    /** Flow through each plane, mean over the window, and the same without
+     * what the leaflets sweep. */
+    Summary
+    plane_figures() const;
+
+    /** Area (m^2) of the jet that the leak through gaps makes of blood of this
+     * @p density. */
+    double
+    effective_area(const double density) const;
 
     /** What can be seen of the orifice; in blood, also what its jet tells, with
      * the @p density of the blood. */

@@ -1,7 +1,7 @@
 #ifndef coapt_metrics_bulging_volume_h
 #define coapt_metrics_bulging_volume_h
 
-#include <deal.II/base/point.h>
+#include <coapt/geometry/leaflet.h>
 
 #include <array>
 #include <vector>
@@ -53,6 +53,13 @@ namespace coapt
   bulging_volume(const std::vector<dealii::Point<3>> &annulus,
                  const std::vector<dealii::Point<3>> &points,
                  const std::vector<std::array<unsigned int, 3>> &triangles);
+
+  /** The same for each Region alone; @p regions are those of the triangles. */
+  std::array<double, n_regions>
+  bulging_by_region(const std::vector<dealii::Point<3>> &annulus,
+                    const std::vector<dealii::Point<3>> &points,
+                    const std::vector<std::array<unsigned int, 3>> &triangles,
+                    const std::vector<Region> &regions);
 } // namespace coapt
 
 #endif

@@ -41,21 +41,21 @@ namespace coapt
     double bulging_volume      = 0;
     double tissue_flow         = 0; // through tissue that is not apposed
     double reynolds            = 0; // of the flow through the annulus
-    double annulus_force       = 0; // of the tissue on its support
     double displacement        = 0; // largest of the leaflet
     double largest_velocity    = 0;
     double slip_rms            = 0;
-    double hourglass_rms       = 0; // away from the leaflet
-    double checkerboard_rms    = 0; // away from the leaflet
-    double point_spacing       = 0; // largest, in finest fluid cells
-    double mean_stress         = 0; // von Mises
-    double mean_principal      = 0; // largest principal stress
-    double mean_strain         = 0; // largest logarithmic
-    double smallest_stretch    = 1; // of all cells, relative to the mesh
-    double distorted_cells     = 0; // below Solid/Distortion threshold
-    double energy_error        = 0; // relative
-    double closure_error       = 0; // the same in J
-    dealii::Point<3> crushed_place; // of the smallest stretch, in the mesh
+    double hourglass_rms       = 0;     // away from the leaflet
+    double checkerboard_rms    = 0;     // away from the leaflet
+    double point_spacing       = 0;     // largest, in finest fluid cells
+    double mean_stress         = 0;     // von Mises
+    double mean_principal      = 0;     // largest principal stress
+    double mean_strain         = 0;     // largest logarithmic
+    double smallest_stretch    = 1;     // of all cells, relative to the mesh
+    double distorted_cells     = 0;     // below Solid/Distortion threshold
+    double energy_error        = 0;     // relative
+    double closure_error       = 0;     // the same in J
+    dealii::Point<3> crushed_place;     // of the smallest stretch, in the mesh
+    dealii::Tensor<1, 3> annulus_force; // of the tissue on its support
     EnergyAudit<3>::Works works;
     EnergyAudit<3>::Energies energies;
     std::array<double, ChordaePeaks::n_classes> chordae_tension{};
@@ -206,7 +206,7 @@ namespace coapt
                           ValveSample &sample) const;
 
     /** Force of the tissue on its support. */
-    double
+    dealii::Tensor<1, 3>
     annulus_force(const std::vector<double> &X,
                   const std::vector<double> &V) const;
 

@@ -43,6 +43,15 @@ namespace coapt
   effective_orifice_area(const double leak,
                          const double pressure,
                          const double density);
+
+  /** Whether two areas (m^2) of one orifice, that which is seen and that of its
+   * jet, are within @p factor of each other. A jet is narrower than its
+   * orifice, by 0.6 for a sharp edge and hardly for a round one; an orifice
+   * that is oblique is seen too narrow or not at all. */
+  bool
+  orifices_agree(const double seen,
+                 const double effective,
+                 const double factor);
 } // namespace coapt
 
 #endif
