@@ -8,8 +8,8 @@
 #include <coapt/metrics/unrolled_leaflet.h>
 
 #include <algorithm>
-#include <fstream>
 
+#include "../structure/small_valve.h"
 #include "io/vtu_reader.h"
 #include "tests.h"
 
@@ -20,18 +20,6 @@ using dealii::Point;
 namespace
 {
   const double mean_contact = 4e3, mean_total = 7e3;
-
-  ModelParameters
-  small_valve()
-  {
-    ModelParameters parameters;
-    parameters.valve.n_circumferential = 24;
-    parameters.valve.n_radial          = 4;
-    parameters.ends.pressure_table     = "no_pressure.csv";
-    std::ofstream(parameters.ends.pressure_table)
-      << "time_s,pressure_Pa\n0,0\n1,0\n";
-    return parameters;
-  }
 
   /** All nodes near y = 0, at rest. */
   std::vector<double>
@@ -148,7 +136,7 @@ main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
   StructureParameters structure;
   structure.in_blood = false;
-  ValveStructure valve(small_valve(), MPI_COMM_WORLD);
+  ValveStructure valve(small_valve("0,0\n1,0\n"), MPI_COMM_WORLD);
   Timing timing;
   StructureSystem system(valve, structure, timing);
   const std::vector<double> state = flat_state(valve);

@@ -5,8 +5,7 @@
 #include <coapt/structure/structure_system.h>
 #include <coapt/time/central_differences.h>
 
-#include <fstream>
-
+#include "small_valve.h"
 #include "tests.h"
 
 using namespace coapt;
@@ -15,19 +14,6 @@ using dealii::Tensor;
 namespace
 {
   const double settled = 0.15;
-
-  /** A coarse valve with a pressure that rises in 20 ms and stays. */
-  ModelParameters
-  small_valve()
-  {
-    ModelParameters parameters;
-    parameters.valve.n_circumferential = 24;
-    parameters.valve.n_radial          = 4;
-    parameters.ends.pressure_table     = "small_pressure.csv";
-    std::ofstream(parameters.ends.pressure_table)
-      << "time_s,pressure_Pa\n0,0\n0.02,500\n1,500\n";
-    return parameters;
-  }
 
   /** Brings a valve to rest; returns positions and velocities. */
   std::vector<double>
@@ -74,7 +60,7 @@ main(int argc, char *argv[])
   structure.in_blood     = false;
   structure.added_mass   = 0;
   structure.mass_damping = 160; // about critical for the slowest mode
-  ValveStructure valve(small_valve(), MPI_COMM_WORLD);
+  ValveStructure valve(small_valve("0,0\n0.02,500\n1,500\n"), MPI_COMM_WORLD);
   Timing timing;
   StructureSystem system(valve, structure, timing);
   const std::vector<double> state = state_at_rest(valve, system);
