@@ -2,9 +2,8 @@
 
 #include <coapt/metrics/structure_monitor.h>
 #include <coapt/structure/pressure_load.h>
-#include <coapt/structure/structure_system.h>
-#include <coapt/time/central_differences.h>
 
+#include "integrator.h"
 #include "small_valve.h"
 #include "tests.h"
 
@@ -19,17 +18,9 @@ namespace
   std::vector<double>
   state_at_rest(const ValveStructure &valve, StructureSystem &system)
   {
-    CentralDifferences integrator(
-      [&](const double t, const double *X, const double *V, double *A) {
-        system.acceleration(t, X, V, A);
-      },
-      system.mass_damping,
-      [&](const double t, double *X, double *V, const double dt) {
-        system.move_held_nodes(t, X, V, dt);
-        system.finish_step(X, V, dt);
-      });
-    std::vector<double> state = valve.reference_positions();
-    const double omega        = valve.solid->step_bound(state.data()).omega;
+    CentralDifferences integrator = integrator_of(system);
+    std::vector<double> state     = valve.reference_positions();
+    const double omega            = valve.solid->step_bound(state.data()).omega;
     const double dt = 0.8 / std::hypot(omega, valve.chordae->max_frequency());
     state.resize(2 * state.size(), 0.);
     integrator.start(0., state);

@@ -3,12 +3,11 @@
 
 #include <coapt/coupled/prescribed_motion.h>
 #include <coapt/geometry/valve_generator.h>
-#include <coapt/structure/structure_system.h>
-#include <coapt/time/central_differences.h>
 
 #include <algorithm>
 #include <fstream>
 
+#include "integrator.h"
 #include "tests.h"
 
 using namespace coapt;
@@ -183,15 +182,7 @@ namespace
     structure.mass_damping = 160; // about critical for the slowest mode
     Timing timing;
     StructureSystem system(valve, structure, timing);
-    CentralDifferences integrator(
-      [&](const double t, const double *X, const double *V, double *A) {
-        system.acceleration(t, X, V, A);
-      },
-      system.mass_damping,
-      [&](const double t, double *X, double *V, const double dt) {
-        system.move_held_nodes(t, X, V, dt);
-        system.finish_step(X, V, dt);
-      });
+    CentralDifferences integrator = integrator_of(system);
 
     std::vector<double> state    = valve.reference_positions();
     const auto bound             = valve.solid->step_bound(state.data());

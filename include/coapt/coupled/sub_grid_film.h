@@ -25,8 +25,8 @@ namespace coapt
    * - the cells between the two mid-surfaces drain to the atrial pressure,
    *   p' = -phi r rho c^2 p with the rate r, and fill again when the pressure
    *   reverses. phi rises from 0 to 1 with the fraction of the cell that lies
-   *   there, from 0.35 to 0.85, and with the distance from the free edge, from
-   * 0 to half a cell, so that the sink does not draw from the ventricle;
+   *   there, from 0.35 to 0.85, and with the distance from the free edge up to
+   *   half a cell, so that the sink does not draw from the ventricle;
    * - a film that stays at a good part of the ventricular pressure p_v although
    *   it drains is fed by the ventricle and does not hold trapped fluid: there,
    *   draining ends while the mean of p/p_v over the last six volumes of film
