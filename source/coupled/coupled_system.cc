@@ -83,6 +83,7 @@ namespace coapt
     gather_inputs(y);
     add_fluid_forces(t, y + at.pressure(), y_dot + at.pressure());
     add_coupling(y + at.multiplier(), y_dot + at.multiplier());
+    add_fluid_within(y + at.pressure(), y_dot + at.pressure());
     add_solid_forces();
     add_loads(t);
     add_impulse();
@@ -149,6 +150,18 @@ namespace coapt
                       solid_force.data(),
                       multiplier_rate);
     accumulate_coupling_impulse();
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::add_fluid_within(const double *pressure,
+                                       double *pressure_rate)
+  {
+    const auto scope = timing.scope(sections.coupling);
+    if (within)
+      within->add(pressure, V.data(), solid_force.data(), pressure_rate);
   }
 
 
@@ -234,8 +247,10 @@ namespace coapt
     if (impulse)
       update_impulse(y);
     const auto scope = timing.scope(sections.weights);
-    const bool found = points.update(fluid, X.data(), y + at.multiplier());
-    points_left      = dealii::Utilities::MPI::max(found ? 0 : 1, communicator);
+    bool found       = points.update(fluid, X.data(), y + at.multiplier());
+    if (within && !within->update(fluid, X.data()))
+      found = false;
+    points_left = dealii::Utilities::MPI::max(found ? 0 : 1, communicator);
   }
 
 
@@ -366,6 +381,8 @@ namespace coapt
         X[dim * n + d] = reference_points[n][d];
     std::vector<double> multiplier;
     points.distribute(fluid, X.data(), multiplier);
+    if (within)
+      within->update(fluid, X.data());
     update_layout();
 
     std::vector<double> y(state_layout.size(), 0.);
@@ -385,6 +402,8 @@ namespace coapt
     std::vector<double> multiplier(y.begin() + state_layout.multiplier(),
                                    y.end());
     points.distribute(fluid, positions.data(), multiplier);
+    if (within)
+      within->update(fluid, positions.data());
     y.resize(state_layout.multiplier());
     y.insert(y.end(), multiplier.begin(), multiplier.end());
     update_layout();

@@ -106,6 +106,8 @@ namespace coapt
     , audit(system, model.fluid(), solid, points)
   {
     check_inside();
+    if (!parameters.immersed->has_pressure_within)
+      system.set_within(&within.emplace(body.mesh, points));
     if (parameters.immersed->damping_rate > 0)
       add_damping();
     if (parameters.immersed->has_contact)

@@ -117,6 +117,16 @@ namespace coapt
                       "moves by whole cells. surface, with Coupling/Point "
                       "spacing 1, is for bodies at least two cells thick: the "
                       "flow feels where in a cell the surface is.");
+    prm.declare_entry("Fluid pressure within",
+                      "true",
+                      Bool(),
+                      "Whether the pressure of the fluid that fills the bodies "
+                      "acts on them besides the stress of their material: rho "
+                      "c^2 adds to their bulk modulus where their elements are "
+                      "no larger than the cells and they are several cells "
+                      "thick. It does in bodies of fibres in a fluid and in "
+                      "nearly incompressible ones. false, with Coupled part "
+                      "volume, leaves a compressible body its own stress.");
     prm.declare_entry("Contact",
                       "false",
                       Bool(),
@@ -192,6 +202,10 @@ namespace coapt
                          "is a " +
                          body.shape);
     couples_surface     = prm.get("Coupled part") == "surface";
+    has_pressure_within = prm.get_bool("Fluid pressure within");
+    if (couples_surface && !has_pressure_within)
+      throw InputError("Body/Fluid pressure within is false, for which "
+                       "Body/Coupled part must be volume");
     has_contact         = prm.get_bool("Contact");
     clearance           = prm.get_double("Contact clearance");
     friction            = prm.get_double("Friction coefficient");

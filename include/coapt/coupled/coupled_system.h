@@ -8,6 +8,7 @@
 #include <coapt/fluid/fluid_grid.h>
 #include <coapt/fluid/fluid_operator.h>
 #include <coapt/immersion/coupling_points.h>
+#include <coapt/immersion/fluid_within.h>
 #include <coapt/solid/solid_operator.h>
 
 #include <deal.II/base/mpi.h>
@@ -84,6 +85,14 @@ namespace coapt
     set_sink(PressureSink *sink)
     {
       this->sink = sink;
+    }
+
+    /** Sets what takes the fluid's pressure off the solid; due before
+     * state_at_rest(). It must live as long as this. */
+    void
+    set_within(FluidWithin<dim> *within)
+    {
+      this->within = within;
     }
 
     /** Power (W) of the sink in the state @p y, over all ranks. Collective. */
@@ -237,6 +246,9 @@ namespace coapt
     add_coupling(const double *multiplier, double *multiplier_rate);
 
     void
+    add_fluid_within(const double *pressure, double *pressure_rate);
+
+    void
     add_solid_forces();
 
     void
@@ -287,8 +299,9 @@ namespace coapt
     SolidImpulse impulse;
     std::vector<double> impulse_force; // that it acts with, N
     std::vector<double> impulse_start; // positions when that began, m
-    double impulse_work = 0;
-    PressureSink *sink  = nullptr;
+    double impulse_work      = 0;
+    PressureSink *sink       = nullptr;
+    FluidWithin<dim> *within = nullptr;
     HeldMotion motion;
     double motion_work = 0;
     RelaxationCoefficients coefficients;

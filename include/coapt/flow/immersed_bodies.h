@@ -127,6 +127,7 @@ namespace coapt
     ShapedBody<dim> body;
     SolidOperator<dim> solid;
     CouplingPoints<dim> points;
+    std::optional<FluidWithin<dim>> within;
     Timing timing;
     CoupledSystem<dim> system;
     std::vector<bool> held;

@@ -44,6 +44,10 @@ namespace coapt
      * and not in their whole volume. */
     bool couples_surface = false;
 
+    /** Whether the pressure of the fluid that fills the bodies is part of their
+     * stress. */
+    bool has_pressure_within = true;
+
     /** Whether bodies touch each other and themselves, at what gap over the
      * size of the smallest fluid cells, and Coulomb's coefficient. */
     bool has_contact = false;

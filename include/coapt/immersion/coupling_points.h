@@ -132,6 +132,21 @@ namespace coapt
       return ids.size();
     }
 
+    /** Number, among the points of all ranks, of the point @p q of this one. */
+    unsigned int
+    id(const unsigned int q) const
+    {
+      return ids[q];
+    }
+
+    /** Fluid cell that the point @p q of this rank is coupled with; -1 if all
+     * of its nodes are held. */
+    int
+    coupled_cell(const unsigned int q) const
+    {
+      return stencils[q].scale > 0 ? stencils[q].cell : -1;
+    }
+
     /** Number of points of all ranks. */
     unsigned int
     n_points() const
