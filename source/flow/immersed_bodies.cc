@@ -321,7 +321,14 @@ namespace coapt
     const std::vector<double> X         = system.solid_positions(y);
     const auto bound                    = solid_frequency.update(X.data());
     const ImmersionParameters &coupling = parameters.immersed->coupling;
-    return {{"fluid", model.fluid().max_stable_step()},
+    // Without the fluid's pressure within, changes of volume of the solid drive
+    // that pressure besides those of the fluid itself.
+    const double faster =
+      within ?
+        std::sqrt(1 + parameters.fluid.density /
+                        parameters.immersed->solid.density) :
+        1;
+    return {{"fluid", model.fluid().max_stable_step() / faster},
             {"solid", kinnmark_gray_limit(bound.xi) / bound.omega},
             {"coupling",
              coupling.max_relaxation_time / coupling.relaxation_steps /
