@@ -70,14 +70,14 @@ namespace coapt
 
   SubGridFilm::SubGridFilm(const Leaflet &leaflet,
                            const FilmParameters &parameters,
-                           const double cell,
+                           const double cell_size,
                            const double bulk_modulus,
                            CouplingPoints<3> &points,
                            const FluidOperator<3> &fluid,
                            MPI_Comm communicator)
     : leaflet(leaflet)
     , parameters(parameters)
-    , cell(cell)
+    , cell_size(cell_size)
     , bulk_modulus(bulk_modulus)
     , points(points)
     , fluid(fluid)
@@ -141,28 +141,15 @@ namespace coapt
   void
   SubGridFilm::book(const double duration, const double ventricular_pressure)
   {
-    double sum = 0;
-    if (evaluations > 0)
-      for (Cell &draining : cells)
-        {
-          draining.integral *= duration / evaluations;
-          sum += parameters.drainage * draining.fraction * draining.volume *
-            draining.integral;
-        }
-    volume += dealii::Utilities::MPI::sum(sum, communicator);
-    if (evaluations > 0 && ventricular_pressure > 0 && duration > 0)
-      find_fed_columns(duration, ventricular_pressure);
+    if (evaluations == 0)
+      return;
+    for (Cell &cell : cells)
+      cell.integral *= duration / evaluations;
     evaluations = 0;
-  }
 
-
-
-  void
-  SubGridFilm::find_fed_columns(const double duration,
-                                const double ventricular_pressure)
-  {
-    // of each column: volume of its coupling points, and with pressures
-    std::vector<double> sums(2 * fed.size(), 0.);
+    // of each column: volume of its coupling points, and with pressures; last,
+    // what has drained
+    std::vector<double> sums(2 * fed.size() + 1, 0.);
     for (const Source &source : sources)
       {
         const SamplePoint<3> &point = points.samples()[source.point];
@@ -175,18 +162,31 @@ namespace coapt
             sums[2 * c + 1] += share * cells[source.entry].integral;
           }
       }
+    for (const Cell &cell : cells)
+      sums.back() +=
+        parameters.drainage * cell.draining * cell.volume * cell.integral;
     dealii::Utilities::MPI::sum(sums, communicator, sums);
-    for (unsigned int c = 0; c < fed.size(); ++c)
-      {
-        if (!(sums[2 * c] > 0))
-          continue;
-        const double integral = std::max(0., sums[2 * c + 1] / sums[2 * c]);
-        const double ratio =
-          std::min(1., integral / (duration * ventricular_pressure));
-        const double drained =
-          parameters.drainage * openness(fed[c]) * integral; // volumes
-        fed[c] += (1 - std::exp(-drained / memory)) * (ratio - fed[c]);
-      }
+
+    volume += sums.back();
+    if (ventricular_pressure > 0 && duration > 0)
+      for (unsigned int c = 0; c < fed.size(); ++c)
+        if (sums[2 * c] > 0)
+          feed(c,
+               std::max(0., sums[2 * c + 1] / sums[2 * c]),
+               duration * ventricular_pressure);
+  }
+
+
+
+  void
+  SubGridFilm::feed(const unsigned int column,
+                    const double integral,
+                    const double ventricular_integral)
+  {
+    const double ratio = std::min(1., integral / ventricular_integral);
+    const double drained =
+      parameters.drainage * openness(fed[column]) * integral; // volumes
+    fed[column] += (1 - std::exp(-drained / memory)) * (ratio - fed[column]);
   }
 
 
@@ -195,8 +195,8 @@ namespace coapt
   SubGridFilm::find_stations(const double *X,
                              const MidSurfaceContact::ColumnState &contact)
   {
-    const double largest = parameters.largest_width * cell;
-    const double treated = parameters.treated_width * cell;
+    const double largest = parameters.largest_width * cell_size;
+    const double treated = parameters.treated_width * cell_size;
     for (unsigned int c = 0; c < stations.size(); ++c)
       {
         Station &station = stations[c];
@@ -221,7 +221,7 @@ namespace coapt
         station.drainage = station.weight *
           ramp(edge_distance_with_partner(c, contact.partner[c]),
                0.,
-               0.5 * cell);
+               0.5 * cell_size);
         station.open = openness(fed[c]);
       }
   }
@@ -305,23 +305,19 @@ namespace coapt
           {
             entry = cells.size();
             cells.push_back({static_cast<unsigned int>(found),
-                             std::pow(fluid.cell(found).size, 3),
-                             0.,
-                             0.,
-                             0.});
+                             std::pow(fluid.cell(found).size, 3)});
           }
         sources.push_back({id, entry});
         const double half = height < 1e-3 ? 0.5 : 1; // shared with the other
         const double part = station.drainage * half * point.volume *
           (1 + station.gap / leaflet.thickness);
-        cells[entry].fraction += part / cells[entry].volume;
+        cells[entry].in_film += part / cells[entry].volume;
         cells[entry].open += station.open * part / cells[entry].volume;
       }
     // A cell that reaches into a film with a corner only draws from the
     // ventricle.
-    for (Cell &draining : cells)
-      draining.fraction =
-        draining.open / draining.fraction * ramp(draining.fraction, 0.35, 0.85);
+    for (Cell &cell : cells)
+      cell.draining = cell.open / cell.in_film * ramp(cell.in_film, 0.35, 0.85);
   }
 
 
@@ -331,11 +327,11 @@ namespace coapt
   {
     ++evaluations;
     const double rate = parameters.drainage * bulk_modulus;
-    for (Cell &draining : cells)
+    for (Cell &cell : cells)
       {
-        const double p = pressure[draining.number];
-        draining.integral += p;
-        pressure_rate[draining.number] -= draining.fraction * rate * p;
+        const double p = pressure[cell.number];
+        cell.integral += p;
+        pressure_rate[cell.number] -= cell.draining * rate * p;
       }
   }
 
@@ -345,9 +341,9 @@ namespace coapt
   SubGridFilm::power(const double *pressure) const
   {
     double sum = 0;
-    for (const Cell &draining : cells)
-      sum += draining.fraction * draining.volume * parameters.drainage *
-        pressure[draining.number] * pressure[draining.number];
+    for (const Cell &cell : cells)
+      sum += cell.draining * cell.volume * parameters.drainage *
+        pressure[cell.number] * pressure[cell.number];
     return sum;
   }
 } // namespace coapt

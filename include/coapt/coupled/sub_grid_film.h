@@ -38,11 +38,11 @@ namespace coapt
   class SubGridFilm : public PressureSink
   {
   public:
-    /** The film of @p leaflet in cells of at least the size @p cell (m) around
-     * it, of a fluid with the bulk modulus rho c^2 (Pa). */
+    /** The film of @p leaflet in cells of at least the size @p cell_size (m)
+     * around it, of a fluid with the bulk modulus rho c^2 (Pa). */
     SubGridFilm(const Leaflet &leaflet,
                 const FilmParameters &parameters,
-                const double cell,
+                const double cell_size,
                 const double bulk_modulus,
                 CouplingPoints<3> &points,
                 const FluidOperator<3> &fluid,
@@ -91,10 +91,14 @@ namespace coapt
     struct Cell
     {
       unsigned int number;
-      double volume;   // of the cell, m^3
-      double fraction; // in the film, later what of it drains, at most 1
-      double open; // the part of this fraction that the ventricle does not feed
-      double integral; // sum of pressures over evaluations
+      double volume;       // of the cell, m^3
+      double in_film  = 0; // fraction of the cell in films
+      double open     = 0; // the same of films that the ventricle does not feed
+      double draining = 0; // fraction that drains, at most 1
+
+      /** Sum of pressures (Pa) over evaluations, later their integral over time
+       * (Pa s). */
+      double integral = 0;
     };
 
     /** A coupling point in a draining cell. */
@@ -107,13 +111,17 @@ namespace coapt
     void
     measure_edge_distances(const Leaflet &leaflet);
 
+    /** Books what has drained since the last update, and how much of the
+     * ventricular pressure there was in the columns' films. */
     void
     book(const double duration, const double ventricular_pressure);
 
-    /** Updates how much of the ventricular pressure there is in the columns'
-     * films, from the mean pressures of the cells since the last update. */
+    /** Updates how far the ventricle feeds the film of a @p column, from the
+     * integrals over time of both pressures (Pa s). */
     void
-    find_fed_columns(const double duration, const double ventricular_pressure);
+    feed(const unsigned int column,
+         const double integral,
+         const double ventricular_integral);
 
     void
     find_stations(const double *X,
@@ -132,7 +140,7 @@ namespace coapt
 
     const Leaflet &leaflet;
     const FilmParameters parameters;
-    const double cell;
+    const double cell_size;
     const double bulk_modulus;
     CouplingPoints<3> &points;
     const FluidOperator<3> &fluid;
