@@ -18,6 +18,16 @@ namespace coapt
     /** Facets whose normals have a greater cosine do not face each other. */
     constexpr double facing = -0.1;
 
+    /** Neighbours are at most this times the depth apart through the solid.
+     * Half a thickness is the depth; some more, since thin parts get thinner.
+     */
+    constexpr double thicknesses = 2.5;
+
+    /** And this times the clearance c along the surface: the sides of a corner
+     * of the angle a are c apart at c/tan(a/2) along both, so that they stay
+     * neighbours down to 45 degrees. */
+    constexpr double clearances = 2.5;
+
     std::vector<unsigned int>
     facets_of_rank(const unsigned int n_facets, MPI_Comm communicator)
     {
@@ -74,6 +84,10 @@ namespace coapt
     , inverse_mass(mesh.points.size())
     , own(facets_of_rank(facets.size(), communicator))
     , search(facets, own)
+    , neighbours(mesh,
+                 facets,
+                 thicknesses * depth,
+                 clearances * parameters.clearance)
     , points(mesh.points)
     , sums(mesh.points.size())
     , histories(mesh.points.size())
@@ -92,7 +106,6 @@ namespace coapt
     for (unsigned int n = 0; n < points.size(); ++n)
       if (!held[n] && area[n] > 0)
         areal_mass = std::min(areal_mass, 0.5 * nodal_mass[n] / area[n]);
-    exclude_opposite_sides();
   }
 
 
@@ -191,42 +204,22 @@ namespace coapt
 
 
   template <int dim>
-  void
-  FacetContact<dim>::exclude_opposite_sides()
-  {
-    // Half a thickness is the depth; some more, since thin parts get thinner.
-    const double farthest = 2.5 * depth, touching = 1e-6 * depth;
-    search.find(points, farthest);
-    for (unsigned int i = 0; i < own.size(); ++i)
-      for (const unsigned int partner : search.candidates(i))
-        {
-          find_overlap(own[i], partner);
-          if (std::any_of(overlap.begin(), overlap.end(), [&](const auto &p) {
-                return p.gap > -farthest && p.gap < -touching;
-              }))
-            search.exclude(i, partner);
-        }
-    search.find(points,
-                std::max(parameters.clearance, depth) +
-                  parameters.search_margin);
-  }
-
-
-
-  template <int dim>
   bool
   FacetContact<dim>::touch(const unsigned int facet,
                            const unsigned int partner,
                            const double *V,
                            const double dt)
   {
-    const Vector normal = find_overlap(facet, partner);
-    bool touching       = false;
+    const Vector normal  = find_overlap(facet, partner);
+    const auto is_beyond = [&](const OverlapPoint<dim> &point) {
+      return point.gap >= parameters.clearance || point.gap < -depth;
+    };
+    overlap.erase(std::remove_if(overlap.begin(), overlap.end(), is_beyond),
+                  overlap.end());
+    if (overlap.empty() || neighbours(facet, partner))
+      return false;
     for (const OverlapPoint<dim> &point : overlap)
       {
-        if (point.gap >= parameters.clearance || point.gap < -depth)
-          continue;
-        touching = true;
         const Vector sliding =
           velocity(partner, point.partner, V) - velocity(facet, point.own, V);
         const auto response = contact_pressure(point.gap,
@@ -249,7 +242,7 @@ namespace coapt
             node.sliding += area * sliding;
           }
       }
-    return touching;
+    return true;
   }
 
 

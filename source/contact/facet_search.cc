@@ -18,7 +18,7 @@ namespace coapt
   FacetSearch<dim>::FacetSearch(
     const std::vector<std::array<unsigned int, dim>> &facets,
     const std::vector<unsigned int> &own)
-    : facets(facets), own(own), found(own.size()), excluded(own.size())
+    : facets(facets), own(own), found(own.size())
   {
     for (const auto &facet : facets)
       nodes.insert(nodes.end(), facet.begin(), facet.end());
@@ -60,10 +60,7 @@ namespace coapt
             if (std::find_first_of(facet.begin(),
                                    facet.end(),
                                    other.begin(),
-                                   other.end()) == facet.end() &&
-                std::find(excluded[i].begin(),
-                          excluded[i].end(),
-                          entry.second) == excluded[i].end())
+                                   other.end()) == facet.end())
               found[i].push_back(entry.second);
           }
         std::sort(found[i].begin(), found[i].end());

@@ -2,6 +2,7 @@
 #define coapt_contact_facet_contact_h
 
 #include <coapt/contact/contact_law.h>
+#include <coapt/contact/facet_neighbours.h>
 #include <coapt/contact/facet_overlap.h>
 #include <coapt/contact/facet_search.h>
 #include <coapt/geometry/simplex_mesh.h>
@@ -29,8 +30,8 @@ namespace coapt
    * nothing hooks there. Each facet has a turn, with half of the weight: two
    * passes.
    *
-   * What lies opposite within the solid in the reference, such as the sides of
-   * an acute edge, is no partner.
+   * Neighbours (FacetNeighbours), such as the sides of an edge and what lies
+   * opposite within the solid, never touch.
    *
    * Friction (contact_shear()) is that of the nodes, with the means of
    * pressure, normal and sliding velocity over what they touch; its traction
@@ -110,10 +111,6 @@ namespace coapt
       static constexpr unsigned int n_numbers = 4 + 2 * dim;
     };
 
-    /** Leaves out what lies behind the own facets in the reference. */
-    void
-    exclude_opposite_sides();
-
     /** Unit normal of a facet and, in the overlap, what of the other one lies
      * on it if it faces this one. */
     Vector
@@ -152,6 +149,7 @@ namespace coapt
     double areal_mass; // of a pair in which both sides are the lightest, kg/m^2
     std::vector<unsigned int> own;
     FacetSearch<dim> search;
+    FacetNeighbours<dim> neighbours;
 
     std::vector<dealii::Point<dim>> points;
     std::vector<OverlapPoint<dim>> overlap; // scratch

@@ -26,13 +26,6 @@ namespace coapt
     void
     find(const std::vector<dealii::Point<dim>> &points, const double reach);
 
-    /** Leaves this facet out of the candidates of the i-th own one for ever. */
-    void
-    exclude(const unsigned int i, const unsigned int facet)
-    {
-      excluded[i].push_back(facet);
-    }
-
     /** Candidates of the i-th own facet, in ascending order. */
     const std::vector<unsigned int> &
     candidates(const unsigned int i) const
@@ -51,7 +44,7 @@ namespace coapt
     std::vector<std::array<unsigned int, dim>> facets;
     std::vector<unsigned int> own;
     std::vector<unsigned int> nodes; // of the facets, each once
-    std::vector<std::vector<unsigned int>> found, excluded;
+    std::vector<std::vector<unsigned int>> found;
     std::vector<dealii::Point<dim>> points_at_find;
   };
 } // namespace coapt
