@@ -57,7 +57,7 @@ namespace coapt
             const double weight = (end ? 0.5 : 1.) / (nodes_per_column - 1);
             const bool pinned   = leaflet.pinned[column[l]];
             nodes.push_back(
-              {column[l], weight, pinned ? 0. : nodal_mass[column[l]] / mass});
+              {column[l], weight, nodal_mass[column[l]] / mass, pinned});
             inverse += pinned ? 0. : weight / mass;
           }
         column_mass.push_back(mass);
@@ -79,6 +79,35 @@ namespace coapt
   MidSurface::triangles() const
   {
     return corners;
+  }
+
+
+
+  const std::vector<std::array<unsigned int, 4>> &
+  MidSurface::quadrilaterals() const
+  {
+    return quads;
+  }
+
+
+
+  double
+  MidSurface::mass(const unsigned int column) const
+  {
+    return column_mass[column];
+  }
+
+
+
+  Tensor<1, 3>
+  MidSurface::mean_by_mass(const unsigned int column, const double *V) const
+  {
+    Tensor<1, 3> mean;
+    const Node *node = &nodes[nodes_per_column * column];
+    for (unsigned int l = 0; l < nodes_per_column; ++l, ++node)
+      for (unsigned int d = 0; d < 3; ++d)
+        mean[d] += node->share * V[3 * node->number + d];
+    return mean;
   }
 
 
@@ -141,7 +170,7 @@ namespace coapt
     std::array<double, 2> work{{0., 0.}};
     const Node *node = &nodes[nodes_per_column * column];
     for (unsigned int l = 0; l < nodes_per_column; ++l, ++node)
-      if (node->share > 0)
+      if (!node->pinned)
         for (unsigned int d = 0; d < 3; ++d)
           {
             double &v         = V[3 * node->number + d];

@@ -22,7 +22,9 @@ namespace coapt
       gap                = 7,
       direction          = 8,  // vector
       partner            = 11, // number of a triangle, exact as a double
-      n_slots            = 12
+      normal_couple      = 12, // vector, of the impulses about the column
+      tangential_couple  = 15, // vector
+      n_slots            = 18
     };
 
     /** Two directions are opposite if their cosine is below this. */
@@ -81,6 +83,7 @@ namespace coapt
     , communicator(communicator)
     , law(parameters)
     , surface(leaflet, nodal_mass)
+    , rotation(surface)
     , own_columns(columns_of_rank(surface.n_columns(), communicator))
     , search(reference_positions(surface, leaflet),
              surface.triangles(),
@@ -225,6 +228,53 @@ namespace coapt
 
 
 
+  // The reduced mass is that of the two points, or that of the sheets under the
+  // column's area if this is less: a coarse sheet under a fine one is pushed by
+  // several columns at once. The same goes for how a couple turns them.
+  void
+  MidSurfaceContact::find_masses(Pair &pair)
+  {
+    const auto &area = columns.current_area;
+    double mass = 0, mass_by_area = 0, inertia = 0, inertia_by_area = 0;
+    for (unsigned int v = 0; v < 3; ++v)
+      {
+        const unsigned int c = pair.corner[v];
+        const double w       = pair.encounter.weights[v];
+        const double share   = w * area[c] / area[pair.column];
+        mass += w * w * surface.inverse_mass(c);
+        mass_by_area += share * surface.inverse_mass(c);
+        inertia += w * w * rotation.inverse_inertia(c);
+        inertia_by_area += share * rotation.inverse_inertia(c);
+      }
+    pair.inverse_mass =
+      surface.inverse_mass(pair.column) + std::max(mass, mass_by_area);
+    pair.inverse_mass_along = pair.inverse_mass +
+      pair.arm.norm_square() *
+        (rotation.inverse_inertia(pair.column) +
+         std::max(inertia, inertia_by_area));
+  }
+
+
+
+  void
+  MidSurfaceContact::find_velocities(Pair &pair, const double *V)
+  {
+    Tensor<1, 3> spin;
+    pair.velocity = -surface.average(pair.column, V);
+    for (unsigned int v = 0; v < 3; ++v)
+      {
+        const double w = pair.encounter.weights[v];
+        pair.velocity += w * surface.average(pair.corner[v], V);
+        spin += w * rotation.spin(pair.corner[v]);
+      }
+    pair.spin    = 0.5 * (spin + rotation.spin(pair.column));
+    pair.opening = pair.velocity * pair.encounter.normal;
+    pair.sliding = pair.velocity - pair.opening * pair.encounter.normal -
+      2 * cross_product_3d(pair.spin, pair.arm);
+  }
+
+
+
   bool
   MidSurfaceContact::add_impulse(const unsigned int column,
                                  const Encounter &encounter,
@@ -233,62 +283,74 @@ namespace coapt
                                  const double dt,
                                  ElasticSlip<3> &history)
   {
-    const auto &corner = surface.triangles()[encounter.triangle];
-    const auto &area   = columns.current_area;
-
-    // The reduced mass is that of the two points, or that of the sheets under
-    // the column's area if this is less: a coarse sheet under a fine one is
-    // pushed by several columns at once.
-    double partner_inverse_mass = 0, partner_inverse_density = 0;
-    for (unsigned int v = 0; v < 3; ++v)
-      {
-        const double w       = encounter.weights[v];
-        const double inverse = surface.inverse_mass(corner[v]);
-        partner_inverse_mass += w * w * inverse;
-        partner_inverse_density += w * area[corner[v]] * inverse;
-      }
-    const double inverse = surface.inverse_mass(column) +
-      std::max(partner_inverse_mass, partner_inverse_density / area[column]);
-    if (!(inverse > 0) || !(area[column] > 0))
+    Pair pair;
+    pair.column       = column;
+    pair.encounter    = encounter;
+    pair.corner       = surface.triangles()[encounter.triangle];
+    pair.arm          = 0.5 * encounter.distance * encounter.normal;
+    const double area = columns.current_area[column];
+    if (!(area > 0))
       return false;
+    find_masses(pair);
+    if (!(pair.inverse_mass > 0))
+      return false;
+    find_velocities(pair, V);
 
-    const Tensor<1, 3> &normal = encounter.normal;
-    Tensor<1, 3> velocity      = -surface.average(column, V); // of the partner
-    for (unsigned int v = 0; v < 3; ++v)
-      velocity += encounter.weights[v] * surface.average(corner[v], V);
-    const double opening     = velocity * normal;
-    const double areal_mass  = 1 / (inverse * area[column]);
-    const auto response      = contact_pressure(encounter.distance - thickness,
-                                           opening,
-                                           areal_mass,
+    const auto response = contact_pressure(encounter.distance - thickness,
+                                           pair.opening,
+                                           1 / (pair.inverse_mass * area),
                                            parameters,
                                            law,
                                            stiffness,
                                            0.5 * thickness,
                                            dt);
-    const Tensor<1, 3> shear = contact_shear<3>(response,
-                                                normal,
-                                                velocity - opening * normal,
-                                                areal_mass,
-                                                parameters,
-                                                dt,
-                                                history);
+    history.spin(dt * pair.spin);
+    const Tensor<1, 3> shear =
+      contact_shear<3>(response,
+                       encounter.normal,
+                       pair.sliding,
+                       1 / (pair.inverse_mass_along * area),
+                       parameters,
+                       dt,
+                       history);
     if (response.pressure == 0)
       return false;
 
     // Each of the two passes has half of the weight.
-    const double impulse          = 0.5 * area[column] * response.pressure * dt;
-    const Tensor<1, 3> tangential = -0.5 * area[column] * dt * shear;
-    const auto distribute = [&](const unsigned int c, const double weight) {
-      double *sum = &sums[n_slots * c];
-      add(sum + normal_impulse, weight * impulse, normal);
-      add(sum + tangential_impulse, weight, tangential);
-      sum[pressure] += std::abs(weight) * impulse;
-    };
-    distribute(column, -1.);
-    for (unsigned int v = 0; v < 3; ++v)
-      distribute(corner[v], encounter.weights[v]);
+    const double impulse = 0.5 * area * response.pressure * dt;
+    distribute(
+      pair, impulse, impulse * encounter.normal, normal_impulse, normal_couple);
+    distribute(pair,
+               0.,
+               -0.5 * area * dt * shear,
+               tangential_impulse,
+               tangential_couple);
     return true;
+  }
+
+
+
+  // Couples carry the impulse from where it acts, the middle of the gap, to the
+  // centres of mass, where the impulse on a column acts.
+  void
+  MidSurfaceContact::distribute(const Pair &pair,
+                                const double magnitude,
+                                const Tensor<1, 3> &impulse,
+                                const unsigned int impulse_slot,
+                                const unsigned int couple_slot)
+  {
+    const auto add_to =
+      [&](const unsigned int c, const double weight, const Tensor<1, 3> &arm) {
+        double *sum = &sums[n_slots * c];
+        add(sum + impulse_slot, weight, impulse);
+        add(sum + couple_slot,
+            weight,
+            cross_product_3d(arm + (points[c] - rotation.centre(c)), impulse));
+        sum[pressure] += std::abs(weight) * magnitude;
+      };
+    add_to(pair.column, -1., pair.arm);
+    for (unsigned int v = 0; v < 3; ++v)
+      add_to(pair.corner[v], pair.encounter.weights[v], -pair.arm);
   }
 
 
@@ -353,6 +415,7 @@ namespace coapt
   MidSurfaceContact::apply_impulse(const double *X, double *V, const double dt)
   {
     surface.positions(X, points);
+    rotation.set_state(X, V);
     renew_candidates();
     surface.areas(points, columns.current_area);
 
@@ -367,7 +430,25 @@ namespace coapt
                   MPI_SUM,
                   communicator);
     time += dt;
+    spread_couples();
     return apply_sums(V, dt);
+  }
+
+
+
+  void
+  MidSurfaceContact::spread_couples()
+  {
+    for (unsigned int c = 0; c < surface.n_columns(); ++c)
+      for (const auto &slots :
+           {std::array<Slot, 2>{{normal_couple, normal_impulse}},
+            std::array<Slot, 2>{{tangential_couple, tangential_impulse}}})
+        {
+          const Tensor<1, 3> couple = vector_at(&sums[n_slots * c + slots[0]]);
+          if (couple.norm_square() > 0)
+            for (const auto &part : rotation.impulses(c, couple))
+              add(&sums[n_slots * part.column + slots[1]], 1., part.impulse);
+        }
   }
 
 
@@ -383,16 +464,18 @@ namespace coapt
         columns.normals[c] = vector_at(sum + direction);
         columns.partner[c] = static_cast<unsigned int>(sum[partner]);
         result.min_gap     = std::min(result.min_gap, sum[gap]);
-        if (sum[pressure] == 0)
+        if (sum[pressure] > 0)
+          {
+            columns.pressure_impulse[c] +=
+              sum[pressure] / columns.current_area[c];
+            result.normal_force += 0.5 * sum[pressure] / dt;
+            result.area += columns.current_area[c];
+          }
+        const Tensor<1, 3> normal     = vector_at(sum + normal_impulse);
+        const Tensor<1, 3> tangential = vector_at(sum + tangential_impulse);
+        if (normal.norm_square() + tangential.norm_square() == 0)
           continue;
-        columns.pressure_impulse[c] += sum[pressure] / columns.current_area[c];
-        result.normal_force += 0.5 * sum[pressure] / dt;
-        result.area += columns.current_area[c];
-        const auto work =
-          surface.apply_impulse(c,
-                                vector_at(sum + normal_impulse),
-                                vector_at(sum + tangential_impulse),
-                                V);
+        const auto work = surface.apply_impulse(c, normal, tangential, V);
         result.normal_power += work[0] / dt;
         result.friction_power += work[1] / dt;
       }

@@ -67,6 +67,20 @@ namespace coapt
     dealii::Tensor<1, dim> slip;
     dealii::Tensor<1, dim> normal; // zero before the first contact
 
+    /** Turns it by the vector @p angle (rad), with which the surfaces have spun
+     * since, about the normal above all: turn() would not notice that. */
+    void
+    spin(const dealii::Tensor<1, 3> &angle)
+    {
+      static_assert(dim == 3, "In 2D nothing spins about the normal.");
+      const double length = slip.norm();
+      slip +=
+        cross_product_3d(angle, slip + 0.5 * cross_product_3d(angle, slip));
+      const double turned = slip.norm();
+      if (turned > 0)
+        slip *= length / turned;
+    }
+
     /** Turns the slip into the plane of the new @p unit_normal. */
     void
     turn(const dealii::Tensor<1, dim> &unit_normal)
@@ -86,7 +100,8 @@ namespace coapt
    * Shear (Pa) that pulls a point after its partner, which moves along the
    * surface with the @p unit_normal at @p velocity (m/s): Coulomb's law,
    * regularised by a spring of the stiffness r k on the slip s since sticking
-   * began, with the damping of contact_pressure(); where it would exceed mu p
+   * began, with the damping of contact_pressure() and the same bound by
+   * @p areal_mass; where it would exceed mu p
    * it is cut to that, and s with it (return mapping; Wriggers 2006, ch. 5 and
    * 10). @p history is brought up to date.
    */
@@ -100,7 +115,9 @@ namespace coapt
                 const double dt,
                 ElasticSlip<dim> &history)
   {
-    const double spring = parameters.stick_stiffness * response.slope;
+    const double spring =
+      std::min(parameters.stick_stiffness * response.slope,
+               parameters.stiffness_factor * areal_mass / (dt * dt));
     const double dashpot =
       2 * parameters.damping * std::sqrt(spring * areal_mass);
     history.turn(unit_normal);

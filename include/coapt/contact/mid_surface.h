@@ -36,6 +36,10 @@ namespace coapt
     const std::vector<std::array<unsigned int, 3>> &
     triangles() const;
 
+    /** The quadrilaterals by column. */
+    const std::vector<std::array<unsigned int, 4>> &
+    quadrilaterals() const;
+
     /** Positions of all columns (m) for the nodal triples @p X, into @p points
      * of size n_columns(). */
     void
@@ -45,6 +49,14 @@ namespace coapt
      * (m/s), in a column. */
     dealii::Tensor<1, 3>
     average(const unsigned int column, const double *V) const;
+
+    /** Mean of nodal triples in a column by the masses of its nodes. */
+    dealii::Tensor<1, 3>
+    mean_by_mass(const unsigned int column, const double *V) const;
+
+    /** Mass of a column (kg), pinned nodes included. */
+    double
+    mass(const unsigned int column) const;
 
     /** Area of each column (m^2): a quarter of its quadrilaterals. */
     void
@@ -71,7 +83,8 @@ namespace coapt
     {
       unsigned int number;
       double weight; // of the trapezoidal rule
-      double share;  // of the column's mass; zero if pinned
+      double share;  // of the column's mass
+      bool pinned;
     };
 
     unsigned int nodes_per_column;

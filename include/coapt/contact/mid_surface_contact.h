@@ -6,6 +6,7 @@
 #include <coapt/contact/contact_parameters.h>
 #include <coapt/contact/facing_rule.h>
 #include <coapt/contact/mid_surface.h>
+#include <coapt/contact/mid_surface_spin.h>
 
 #include <mpi.h>
 
@@ -24,8 +25,10 @@ namespace coapt
    * triangles and, as their corner, as the partner of others: two passes of
    * half weight each. A column takes the nearest triangle that faces it
    * (FacingRule), and a second one on its other side, if it lies between two
-   * parts of the leaflet. Forces are applied at mid-surfaces; the couple of
-   * friction about them (half a thickness as its arm) is neglected.
+   * parts of the leaflet. Forces act half-way between the two mid-surfaces,
+   * with a couple on each, and slip is that of the surfaces there, which turn
+   * with their columns (MidSurfaceSpin): moments balance, and what turns as one
+   * body does not slip.
    *
    * Contact has no stable step of its own: the stiffness follows the step.
    *
@@ -122,6 +125,48 @@ namespace coapt
                     const double within,
                     Encounter (&encounters)[2]);
 
+    /** A column and what it touches. */
+    struct Pair
+    {
+      unsigned int column;
+      Encounter encounter;
+      std::array<unsigned int, 3> corner; // of the triangle
+
+      /** From the mid-surface of the column to the middle of the gap; against
+       * this from that of the partner (m). */
+      dealii::Tensor<1, 3> arm;
+
+      /** One over the reduced mass (1/kg) against normal forces, and against
+       * those along the surface, which turn both sides, too. */
+      double inverse_mass, inverse_mass_along;
+
+      /** Velocity of the partner as seen from the column (m/s), and its part
+       * along the normal. */
+      dealii::Tensor<1, 3> velocity;
+      double opening;
+
+      /** The same along the surface, of both facing surfaces where they
+       * meet. */
+      dealii::Tensor<1, 3> sliding;
+
+      dealii::Tensor<1, 3> spin; // mean of both (rad/s)
+    };
+
+    void
+    find_masses(Pair &pair);
+
+    void
+    find_velocities(Pair &pair, const double *V);
+
+    /** Adds an impulse (N s) on the partner, and against it on the column, to
+     * the sums of these slots. */
+    void
+    distribute(const Pair &pair,
+               const double magnitude,
+               const dealii::Tensor<1, 3> &impulse,
+               const unsigned int impulse_slot,
+               const unsigned int couple_slot);
+
     bool
     add_impulse(const unsigned int column,
                 const Encounter &encounter,
@@ -141,6 +186,10 @@ namespace coapt
                  const double stiffness,
                  const double dt);
 
+    /** Turns the couples of columns into impulses on those around them. */
+    void
+    spread_couples();
+
     Result
     apply_sums(double *V, const double dt);
 
@@ -150,6 +199,7 @@ namespace coapt
 
     const PressureLaw law;
     MidSurface surface;
+    MidSurfaceSpin rotation;
     std::vector<unsigned int> own_columns;
     CandidateSearch search;
     FacingRule rule;
