@@ -1,6 +1,7 @@
 #include <coapt/contact/mid_surface_spin.h>
 
 #include <algorithm>
+#include <array>
 
 namespace coapt
 {
@@ -12,6 +13,30 @@ namespace coapt
     /** Points on a line have a determinant of zero over the cube of the trace;
      * below this they have neither spin nor couples. */
     constexpr double least_determinant = 1e-9;
+
+    /** Inertia (kg m^2) about the centre of mass, at @p shift (m), of points
+     * with the @p moment (kg m) and the @p second ones (kg m^2: xx, yy, zz, xy,
+     * yz, zx) about the origin. */
+    Tensor<2, 3>
+    inertia_of(std::array<double, 6> second,
+               const Tensor<1, 3> &moment,
+               const Tensor<1, 3> &shift)
+    {
+      Tensor<2, 3> inertia;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          second[i] -= moment[i] * shift[i];
+          second[3 + i] -= moment[i] * shift[(i + 1) % 3];
+        }
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const unsigned int j = (i + 1) % 3;
+          inertia[i][i]        = second[j] + second[(i + 2) % 3];
+          inertia[i][j]        = -second[3 + i];
+          inertia[j][i]        = inertia[i][j];
+        }
+      return inertia;
+    }
   } // namespace
 
 
@@ -57,31 +82,37 @@ namespace coapt
       return result;
     result = Body();
 
-    double mass = 0;
-    Tensor<1, 3> moment;
+    // Sums in one pass, as seen from the column; those about the centre follow.
+    const Point<3> &origin     = centres[column];
+    const Tensor<1, 3> &motion = velocities[column];
+    double mass                = 0;
+    Tensor<1, 3> moment, momentum, moment_of_momentum; // the first of mass
+    std::array<double, 6> second{};
     for (const unsigned int c : around[column])
       {
-        mass += surface.mass(c);
-        moment += surface.mass(c) * centres[c];
-      }
-    result.centre = Point<3>(moment / mass);
-
-    Tensor<2, 3> inertia;
-    Tensor<1, 3> momentum; // its moment
-    for (const unsigned int c : around[column])
-      {
-        const Tensor<1, 3> arm = centres[c] - result.centre;
-        momentum += surface.mass(c) * cross_product_3d(arm, velocities[c]);
+        const double m              = surface.mass(c);
+        const Tensor<1, 3> arm      = centres[c] - origin;
+        const Tensor<1, 3> part     = m * arm;
+        const Tensor<1, 3> relative = velocities[c] - motion;
+        mass += m;
+        moment += part;
+        momentum += m * relative;
+        moment_of_momentum += cross_product_3d(part, relative);
         for (unsigned int i = 0; i < 3; ++i)
-          for (unsigned int j = 0; j < 3; ++j)
-            inertia[i][j] += surface.mass(c) *
-              ((i == j ? arm.norm_square() : 0.) - arm[i] * arm[j]);
+          {
+            second[i] += part[i] * arm[i];
+            second[3 + i] += part[i] * arm[(i + 1) % 3];
+          }
       }
-    const double size = trace(inertia);
+    const Tensor<1, 3> shift = moment / mass;
+    result.centre            = origin + shift;
+    moment_of_momentum -= cross_product_3d(shift, momentum);
+    const Tensor<2, 3> inertia = inertia_of(second, moment, shift);
+    const double size          = trace(inertia);
     if (determinant(inertia) > least_determinant * size * size * size)
       {
         result.inverse_inertia = invert(inertia);
-        result.spin            = result.inverse_inertia * momentum;
+        result.spin            = result.inverse_inertia * moment_of_momentum;
       }
     result.is_current = true;
     return result;
