@@ -34,6 +34,30 @@ namespace coapt
                                " kg; it must be positive.");
         }
     }
+
+    // Nodes are evenly spaced at z = 1 ... -1. The weights are the masses times
+    // a linear function of z, with the sum 1 and the mean z = 0.
+    std::vector<double>
+    weights_of_nodes(const std::vector<unsigned int> &column,
+                     const std::vector<double> &nodal_mass)
+    {
+      const auto z = [&](const unsigned int l) {
+        return 1 - 2. * l / (column.size() - 1);
+      };
+      double mass = 0, first = 0, second = 0;
+      for (unsigned int l = 0; l < column.size(); ++l)
+        {
+          const double m = nodal_mass[column[l]];
+          mass += m;
+          first += m * z(l);
+          second += m * z(l) * z(l);
+        }
+      std::vector<double> weights;
+      for (unsigned int l = 0; l < column.size(); ++l)
+        weights.push_back(nodal_mass[column[l]] * (second - first * z(l)) /
+                          (mass * second - first * first));
+      return weights;
+    }
   } // namespace
 
 
@@ -47,20 +71,17 @@ namespace coapt
     check_columns(leaflet, nodal_mass);
     for (const auto &column : leaflet.columns)
       {
-        double mass = 0;
-        for (const unsigned int node : column)
-          mass += nodal_mass[node];
+        const std::vector<double> weights =
+          weights_of_nodes(column, nodal_mass);
         double inverse = 0;
         for (unsigned int l = 0; l < nodes_per_column; ++l)
           {
-            const bool end      = l == 0 || l + 1 == nodes_per_column;
-            const double weight = (end ? 0.5 : 1.) / (nodes_per_column - 1);
-            const bool pinned   = leaflet.pinned[column[l]];
-            nodes.push_back(
-              {column[l], weight, nodal_mass[column[l]] / mass, pinned});
-            inverse += pinned ? 0. : weight / mass;
+            const double velocity = leaflet.pinned[column[l]]
+              ? 0.
+              : weights[l] / nodal_mass[column[l]];
+            nodes.push_back({column[l], weights[l], velocity});
+            inverse += weights[l] * velocity;
           }
-        column_mass.push_back(mass);
         inverse_masses.push_back(inverse);
       }
   }
@@ -70,7 +91,7 @@ namespace coapt
   unsigned int
   MidSurface::n_columns() const
   {
-    return column_mass.size();
+    return inverse_masses.size();
   }
 
 
@@ -87,27 +108,6 @@ namespace coapt
   MidSurface::quadrilaterals() const
   {
     return quads;
-  }
-
-
-
-  double
-  MidSurface::mass(const unsigned int column) const
-  {
-    return column_mass[column];
-  }
-
-
-
-  Tensor<1, 3>
-  MidSurface::mean_by_mass(const unsigned int column, const double *V) const
-  {
-    Tensor<1, 3> mean;
-    const Node *node = &nodes[nodes_per_column * column];
-    for (unsigned int l = 0; l < nodes_per_column; ++l, ++node)
-      for (unsigned int d = 0; d < 3; ++d)
-        mean[d] += node->share * V[3 * node->number + d];
-    return mean;
   }
 
 
@@ -166,18 +166,19 @@ namespace coapt
                             const Tensor<1, 3> &second,
                             double *V) const
   {
-    const Tensor<1, 3> increment = (first + second) / column_mass[column];
+    const Tensor<1, 3> sum = first + second;
     std::array<double, 2> work{{0., 0.}};
     const Node *node = &nodes[nodes_per_column * column];
     for (unsigned int l = 0; l < nodes_per_column; ++l, ++node)
-      if (!node->pinned)
+      if (node->velocity != 0) // not pinned
         for (unsigned int d = 0; d < 3; ++d)
           {
-            double &v         = V[3 * node->number + d];
-            const double mean = node->share * (v + 0.5 * increment[d]);
+            double &v              = V[3 * node->number + d];
+            const double increment = node->velocity * sum[d];
+            const double mean      = node->weight * (v + 0.5 * increment);
             work[0] += first[d] * mean;
             work[1] += second[d] * mean;
-            v += increment[d];
+            v += increment;
           }
     return work;
   }

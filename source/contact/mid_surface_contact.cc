@@ -22,9 +22,8 @@ namespace coapt
       gap                = 7,
       direction          = 8,  // vector
       partner            = 11, // number of a triangle, exact as a double
-      normal_couple      = 12, // vector, of the impulses about the column
-      tangential_couple  = 15, // vector
-      n_slots            = 18
+      couple             = 12, // vector, of tangential impulses
+      n_slots            = 15
     };
 
     /** Two directions are opposite if their cosine is below this. */
@@ -257,14 +256,14 @@ namespace coapt
 
 
   void
-  MidSurfaceContact::find_velocities(Pair &pair, const double *V)
+  MidSurfaceContact::find_velocities(Pair &pair)
   {
     Tensor<1, 3> spin;
-    pair.velocity = -surface.average(pair.column, V);
+    pair.velocity = -rotation.velocity(pair.column);
     for (unsigned int v = 0; v < 3; ++v)
       {
         const double w = pair.encounter.weights[v];
-        pair.velocity += w * surface.average(pair.corner[v], V);
+        pair.velocity += w * rotation.velocity(pair.corner[v]);
         spin += w * rotation.spin(pair.corner[v]);
       }
     pair.spin    = 0.5 * (spin + rotation.spin(pair.column));
@@ -278,7 +277,6 @@ namespace coapt
   bool
   MidSurfaceContact::add_impulse(const unsigned int column,
                                  const Encounter &encounter,
-                                 const double *V,
                                  const double stiffness,
                                  const double dt,
                                  ElasticSlip<3> &history)
@@ -294,7 +292,7 @@ namespace coapt
     find_masses(pair);
     if (!(pair.inverse_mass > 0))
       return false;
-    find_velocities(pair, V);
+    find_velocities(pair);
 
     const auto response = contact_pressure(encounter.distance - thickness,
                                            pair.opening,
@@ -317,47 +315,42 @@ namespace coapt
       return false;
 
     // Each of the two passes has half of the weight.
-    const double impulse = 0.5 * area * response.pressure * dt;
-    distribute(
-      pair, impulse, impulse * encounter.normal, normal_impulse, normal_couple);
     distribute(pair,
-               0.,
-               -0.5 * area * dt * shear,
-               tangential_impulse,
-               tangential_couple);
+               0.5 * area * response.pressure * dt,
+               -0.5 * area * dt * shear);
     return true;
   }
 
 
 
-  // Couples carry the impulse from where it acts, the middle of the gap, to the
-  // centres of mass, where the impulse on a column acts.
+  // Normal impulses act on the line through column and partner, and need no
+  // couple to balance. Those along the surface act in the middle of the gap.
   void
   MidSurfaceContact::distribute(const Pair &pair,
-                                const double magnitude,
-                                const Tensor<1, 3> &impulse,
-                                const unsigned int impulse_slot,
-                                const unsigned int couple_slot)
+                                const double impulse,
+                                const Tensor<1, 3> &along)
   {
-    const auto add_to =
-      [&](const unsigned int c, const double weight, const Tensor<1, 3> &arm) {
-        double *sum = &sums[n_slots * c];
-        add(sum + impulse_slot, weight, impulse);
-        add(sum + couple_slot,
-            weight,
-            cross_product_3d(arm + (points[c] - rotation.centre(c)), impulse));
-        sum[pressure] += std::abs(weight) * magnitude;
-      };
-    add_to(pair.column, -1., pair.arm);
+    const Tensor<1, 3> moment = cross_product_3d(pair.arm, along);
+    const auto add_to         = [&](const unsigned int c, const double weight) {
+      double *sum = &sums[n_slots * c];
+      add(sum + normal_impulse, weight * impulse, pair.encounter.normal);
+      add(sum + tangential_impulse, weight, along);
+      sum[pressure] += std::abs(weight) * impulse;
+    };
+    add_to(pair.column, -1.);
+    add(&sums[n_slots * pair.column + couple], -1., moment);
     for (unsigned int v = 0; v < 3; ++v)
-      add_to(pair.corner[v], pair.encounter.weights[v], -pair.arm);
+      {
+        const double weight = pair.encounter.weights[v];
+        add_to(pair.corner[v], weight);
+        add(&sums[n_slots * pair.corner[v] + couple], -weight, moment);
+      }
   }
 
 
 
   void
   MidSurfaceContact::treat_column(const unsigned int i,
-                                  const double *V,
                                   const double stiffness,
                                   const double dt)
   {
@@ -390,8 +383,7 @@ namespace coapt
       if (encounters[e].distance < onset)
         {
           now[e] = history_of(i, encounters[e].normal);
-          sums.back() +=
-            add_impulse(c, encounters[e], V, stiffness, dt, now[e]);
+          sums.back() += add_impulse(c, encounters[e], stiffness, dt, now[e]);
         }
     histories[i] = now;
   }
@@ -415,14 +407,14 @@ namespace coapt
   MidSurfaceContact::apply_impulse(const double *X, double *V, const double dt)
   {
     surface.positions(X, points);
-    rotation.set_state(X, V);
+    rotation.set_state(points, V);
     renew_candidates();
     surface.areas(points, columns.current_area);
 
     sums.assign(n_slots * surface.n_columns() + 1, 0.);
     const double k = stiffness(dt);
     for (unsigned int i = 0; i < own_columns.size(); ++i)
-      treat_column(i, V, k, dt);
+      treat_column(i, k, dt);
     MPI_Allreduce(MPI_IN_PLACE,
                   sums.data(),
                   sums.size(),
@@ -440,15 +432,13 @@ namespace coapt
   MidSurfaceContact::spread_couples()
   {
     for (unsigned int c = 0; c < surface.n_columns(); ++c)
-      for (const auto &slots :
-           {std::array<Slot, 2>{{normal_couple, normal_impulse}},
-            std::array<Slot, 2>{{tangential_couple, tangential_impulse}}})
-        {
-          const Tensor<1, 3> couple = vector_at(&sums[n_slots * c + slots[0]]);
-          if (couple.norm_square() > 0)
-            for (const auto &part : rotation.impulses(c, couple))
-              add(&sums[n_slots * part.column + slots[1]], 1., part.impulse);
-        }
+      {
+        const Tensor<1, 3> sum = vector_at(&sums[n_slots * c + couple]);
+        if (sum.norm_square() > 0)
+          rotation.add_couple(c, sum);
+      }
+    for (const auto &part : rotation.fetch_impulses())
+      add(&sums[n_slots * part.column + tangential_impulse], 1., part.impulse);
   }
 
 

@@ -1,8 +1,5 @@
 #include <coapt/contact/mid_surface_spin.h>
 
-#include <algorithm>
-#include <array>
-
 namespace coapt
 {
   using dealii::Point;
@@ -10,111 +7,101 @@ namespace coapt
 
   namespace
   {
-    /** Points on a line have a determinant of zero over the cube of the trace;
-     * below this they have neither spin nor couples. */
-    constexpr double least_determinant = 1e-9;
-
-    /** Inertia (kg m^2) about the centre of mass, at @p shift (m), of points
-     * with the @p moment (kg m) and the @p second ones (kg m^2: xx, yy, zz, xy,
-     * yz, zx) about the origin. */
-    Tensor<2, 3>
-    inertia_of(std::array<double, 6> second,
-               const Tensor<1, 3> &moment,
-               const Tensor<1, 3> &shift)
-    {
-      Tensor<2, 3> inertia;
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          second[i] -= moment[i] * shift[i];
-          second[3 + i] -= moment[i] * shift[(i + 1) % 3];
-        }
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          const unsigned int j = (i + 1) % 3;
-          inertia[i][i]        = second[j] + second[(i + 2) % 3];
-          inertia[i][j]        = -second[3 + i];
-          inertia[j][i]        = inertia[i][j];
-        }
-      return inertia;
-    }
+    /** Sine of the angle between diagonals below which a quadrilateral has
+     * neither spin nor couples. */
+    constexpr double least_sine = 1e-3;
   } // namespace
 
 
 
   MidSurfaceSpin::MidSurfaceSpin(const MidSurface &surface)
     : surface(surface)
+    , corners(surface.quadrilaterals())
     , around(surface.n_columns())
-    , centres(surface.n_columns())
-    , velocities(surface.n_columns())
-    , bodies(surface.n_columns())
+    , columns(surface.n_columns())
+    , rotations(surface.n_columns())
+    , quads(corners.size())
   {
-    for (const auto &quad : surface.quadrilaterals())
-      for (const unsigned int column : quad)
-        around[column].insert(around[column].end(), quad.begin(), quad.end());
-    for (auto &columns : around)
-      {
-        std::sort(columns.begin(), columns.end());
-        columns.erase(std::unique(columns.begin(), columns.end()),
-                      columns.end());
-      }
+    for (unsigned int q = 0; q < corners.size(); ++q)
+      for (const unsigned int column : corners[q])
+        around[column].push_back(q);
   }
 
 
 
   void
-  MidSurfaceSpin::set_state(const double *X, const double *V)
+  MidSurfaceSpin::set_state(const std::vector<Point<3>> &points,
+                            const double *V)
   {
-    for (unsigned int c = 0; c < centres.size(); ++c)
-      {
-        centres[c]           = Point<3>(surface.mean_by_mass(c, X));
-        velocities[c]        = surface.mean_by_mass(c, V);
-        bodies[c].is_current = false;
-      }
+    this->points = &points;
+    this->V      = V;
+    ++step;
   }
 
 
 
-  const MidSurfaceSpin::Body &
-  MidSurfaceSpin::body(const unsigned int column)
+  const Tensor<1, 3> &
+  MidSurfaceSpin::velocity(const unsigned int column)
   {
-    Body &result = bodies[column];
-    if (result.is_current)
-      return result;
-    result = Body();
+    ColumnState &result = columns[column];
+    if (result.step != step)
+      result = {step, surface.average(column, V)};
+    return result.velocity;
+  }
 
-    // Sums in one pass, as seen from the column; those about the centre follow.
-    const Point<3> &origin     = centres[column];
-    const Tensor<1, 3> &motion = velocities[column];
-    double mass                = 0;
-    Tensor<1, 3> moment, momentum, moment_of_momentum; // the first of mass
-    std::array<double, 6> second{};
-    for (const unsigned int c : around[column])
+
+
+  const MidSurfaceSpin::Quad &
+  MidSurfaceSpin::current_quad(const unsigned int q)
+  {
+    Quad &quad = quads[q];
+    if (quad.rotation.step == step)
+      return quad;
+    quad.rotation      = Rotation();
+    quad.rotation.step = step;
+
+    const auto &c             = corners[q];
+    quad.a                    = (*points)[c[2]] - (*points)[c[0]];
+    quad.b                    = (*points)[c[3]] - (*points)[c[1]];
+    const Tensor<1, 3> normal = cross_product_3d(quad.a, quad.b);
+    const double square       = normal.norm_square();
+    const double a_2          = quad.a.norm_square();
+    const double b_2          = quad.b.norm_square();
+    quad.n                    = Tensor<1, 3>();
+    if (!(square > least_sine * least_sine * a_2 * b_2))
+      return quad;
+    quad.n = normal / square;
+
+    const Tensor<1, 3> a_rate = velocity(c[2]) - velocity(c[0]);
+    const Tensor<1, 3> b_rate = velocity(c[3]) - velocity(c[1]);
+    quad.rotation.spin        = (b_rate * quad.n) * quad.a -
+      (a_rate * quad.n) * quad.b +
+      0.5 * (a_rate * quad.b - b_rate * quad.a) * quad.n;
+    quad.rotation.inverse_inertia = 1.25 / square *
+      (b_2 * (surface.inverse_mass(c[0]) + surface.inverse_mass(c[2])) +
+       a_2 * (surface.inverse_mass(c[1]) + surface.inverse_mass(c[3])));
+    return quad;
+  }
+
+
+
+  const MidSurfaceSpin::Rotation &
+  MidSurfaceSpin::rotation(const unsigned int column)
+  {
+    Rotation &result = rotations[column];
+    if (result.step == step)
+      return result;
+    result      = Rotation();
+    result.step = step;
+    if (around[column].empty())
+      return result;
+    const double share = 1. / around[column].size();
+    for (const unsigned int q : around[column])
       {
-        const double m              = surface.mass(c);
-        const Tensor<1, 3> arm      = centres[c] - origin;
-        const Tensor<1, 3> part     = m * arm;
-        const Tensor<1, 3> relative = velocities[c] - motion;
-        mass += m;
-        moment += part;
-        momentum += m * relative;
-        moment_of_momentum += cross_product_3d(part, relative);
-        for (unsigned int i = 0; i < 3; ++i)
-          {
-            second[i] += part[i] * arm[i];
-            second[3 + i] += part[i] * arm[(i + 1) % 3];
-          }
+        const Rotation &part = current_quad(q).rotation;
+        result.spin += share * part.spin;
+        result.inverse_inertia += share * share * part.inverse_inertia;
       }
-    const Tensor<1, 3> shift = moment / mass;
-    result.centre            = origin + shift;
-    moment_of_momentum -= cross_product_3d(shift, momentum);
-    const Tensor<2, 3> inertia = inertia_of(second, moment, shift);
-    const double size          = trace(inertia);
-    if (determinant(inertia) > least_determinant * size * size * size)
-      {
-        result.inverse_inertia = invert(inertia);
-        result.spin            = result.inverse_inertia * moment_of_momentum;
-      }
-    result.is_current = true;
     return result;
   }
 
@@ -123,7 +110,7 @@ namespace coapt
   const Tensor<1, 3> &
   MidSurfaceSpin::spin(const unsigned int column)
   {
-    return body(column).spin;
+    return rotation(column).spin;
   }
 
 
@@ -131,21 +118,49 @@ namespace coapt
   double
   MidSurfaceSpin::inverse_inertia(const unsigned int column)
   {
-    return trace(body(column).inverse_inertia);
+    return rotation(column).inverse_inertia;
+  }
+
+
+
+  void
+  MidSurfaceSpin::add_couple(const unsigned int column,
+                             const Tensor<1, 3> &couple)
+  {
+    const Tensor<1, 3> share = couple * (1. / around[column].size());
+    for (const unsigned int q : around[column])
+      {
+        Quad &quad = quads[q];
+        if (!quad.has_couple)
+          with_couple.push_back(q);
+        quad.has_couple = true;
+        quad.couple += share;
+      }
   }
 
 
 
   const std::vector<MidSurfaceSpin::Impulse> &
-  MidSurfaceSpin::impulses(const unsigned int column,
-                           const Tensor<1, 3> &couple)
+  MidSurfaceSpin::fetch_impulses()
   {
-    const Body &all         = body(column);
-    const Tensor<1, 3> spin = all.inverse_inertia * couple;
     parts.clear();
-    for (const unsigned int c : around[column])
-      parts.push_back(
-        {c, surface.mass(c) * cross_product_3d(spin, centres[c] - all.centre)});
+    for (const unsigned int q : with_couple)
+      {
+        const Quad &quad           = current_quad(q);
+        const Tensor<1, 3> &couple = quad.couple;
+        const double about_normal  = 0.5 * (couple * quad.n);
+        const Tensor<1, 3> along_a =
+          about_normal * quad.b - (couple * quad.b) * quad.n;
+        const Tensor<1, 3> along_b =
+          (couple * quad.a) * quad.n - about_normal * quad.a;
+        parts.push_back({corners[q][2], along_a});
+        parts.push_back({corners[q][0], -along_a});
+        parts.push_back({corners[q][3], along_b});
+        parts.push_back({corners[q][1], -along_b});
+        quads[q].couple     = Tensor<1, 3>();
+        quads[q].has_couple = false;
+      }
+    with_couple.clear();
     return parts;
   }
 } // namespace coapt

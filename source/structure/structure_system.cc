@@ -114,15 +114,16 @@ namespace coapt
                                const double *V,
                                const double dt)
   {
-    const auto scope           = timing.scope(sections.contact);
-    std::vector<double> &after = contact_acceleration;
-    std::copy_n(V, after.size(), after.begin());
-    valve.last_contact = valve.contact->apply_impulse(X, after.data(), dt);
-    for (unsigned int i = 0; i < after.size(); ++i)
+    const auto scope = timing.scope(sections.contact);
+    after_impulse.assign(V, V + contact_acceleration.size());
+    valve.last_contact =
+      valve.contact->apply_impulse(X, after_impulse.data(), dt);
+    for (unsigned int i = 0; i < contact_acceleration.size(); ++i)
       {
-        const double change = after[i] - V[i];
-        work_of_contact += valve.solid->mass()[i / 3] * change * V[i];
-        contact_acceleration[i] = change / dt;
+        const double acceleration = (after_impulse[i] - V[i]) / dt;
+        work_of_contact += valve.solid->mass()[i / 3] * 0.5 *
+          (contact_acceleration[i] + acceleration) * V[i] * dt;
+        contact_acceleration[i] = acceleration;
       }
   }
 

@@ -14,10 +14,13 @@ namespace coapt
    * The mid-surface of a leaflet: one point a column, two triangles a
    * quadrilateral, with the masses by which its columns answer to forces.
    *
-   * Position and velocity of a column are means through the thickness with
-   * the weights of the trapezoidal rule. A force on a column goes to its nodes
-   * in proportion to their masses, so that all of them accelerate alike: a
-   * light node at a corner would otherwise be kicked away.
+   * Position and velocity of a column are weighted means through the
+   * thickness, and a force on the column goes to its nodes by the same weights:
+   * it acts where the column is, and its power is force times velocity. The
+   * weights are those with their mean in the middle of the thickness for which
+   * the nodes' accelerations differ least: these are linear through the
+   * thickness, and all alike if the masses are symmetric. With the trapezoidal
+   * rule a light node at a corner would be kicked away.
    */
   class MidSurface
   {
@@ -50,21 +53,14 @@ namespace coapt
     dealii::Tensor<1, 3>
     average(const unsigned int column, const double *V) const;
 
-    /** Mean of nodal triples in a column by the masses of its nodes. */
-    dealii::Tensor<1, 3>
-    mean_by_mass(const unsigned int column, const double *V) const;
-
-    /** Mass of a column (kg), pinned nodes included. */
-    double
-    mass(const unsigned int column) const;
-
     /** Area of each column (m^2): a quarter of its quadrilaterals. */
     void
     areas(const std::vector<dealii::Point<3>> &points,
           std::vector<double> &areas) const;
 
     /** Mid-surface velocity that a unit impulse on the column leaves (1/kg):
-     * one over the column's mass if no node is pinned, zero if all are. */
+     * one over the column's mass if its masses are symmetric and no node is
+     * pinned, zero if all are. */
     double
     inverse_mass(const unsigned int column) const;
 
@@ -82,15 +78,13 @@ namespace coapt
     struct Node
     {
       unsigned int number;
-      double weight; // of the trapezoidal rule
-      double share;  // of the column's mass
-      bool pinned;
+      double weight;   // in the mean
+      double velocity; // of a unit impulse on the column, 1/kg; zero if pinned
     };
 
     unsigned int nodes_per_column;
     std::vector<Node> nodes;
-    std::vector<double> column_mass;
-    std::vector<double> inverse_masses;
+    std::vector<double> inverse_masses; // of columns
     std::vector<std::array<unsigned int, 4>> quads;
     std::vector<std::array<unsigned int, 3>> corners;
   };

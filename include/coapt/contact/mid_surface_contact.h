@@ -25,7 +25,7 @@ namespace coapt
    * triangles and, as their corner, as the partner of others: two passes of
    * half weight each. A column takes the nearest triangle that faces it
    * (FacingRule), and a second one on its other side, if it lies between two
-   * parts of the leaflet. Forces act half-way between the two mid-surfaces,
+   * parts of the leaflet. Friction acts half-way between the two mid-surfaces,
    * with a couple on each, and slip is that of the surfaces there, which turn
    * with their columns (MidSurfaceSpin): moments balance, and what turns as one
    * body does not slip.
@@ -156,21 +156,18 @@ namespace coapt
     find_masses(Pair &pair);
 
     void
-    find_velocities(Pair &pair, const double *V);
+    find_velocities(Pair &pair);
 
-    /** Adds an impulse (N s) on the partner, and against it on the column, to
-     * the sums of these slots. */
+    /** Adds a normal @p impulse (N s) and one @p along the surface on the
+     * partner, and against it on the column, to the sums. */
     void
     distribute(const Pair &pair,
-               const double magnitude,
-               const dealii::Tensor<1, 3> &impulse,
-               const unsigned int impulse_slot,
-               const unsigned int couple_slot);
+               const double impulse,
+               const dealii::Tensor<1, 3> &along);
 
     bool
     add_impulse(const unsigned int column,
                 const Encounter &encounter,
-                const double *V,
                 const double stiffness,
                 const double dt,
                 ElasticSlip<3> &history);
@@ -181,10 +178,7 @@ namespace coapt
     history_of(const unsigned int i, const dealii::Tensor<1, 3> &normal) const;
 
     void
-    treat_column(const unsigned int i,
-                 const double *V,
-                 const double stiffness,
-                 const double dt);
+    treat_column(const unsigned int i, const double stiffness, const double dt);
 
     /** Turns the couples of columns into impulses on those around them. */
     void

@@ -10,13 +10,19 @@ namespace coapt
   /**
    * How a mid-surface turns about its columns, and how couples act on it.
    *
-   * A column and those around it, which share a quadrilateral with it, are
-   * taken for point masses at their centres of mass. Their spin is that of the
-   * rigid body of the same moment of momentum, and a couple accelerates them
-   * like that body. So a rigid motion has its own spin, a couple does the work
-   * couple times spin, and it adds no momentum and exactly its own moment. The
-   * masses have a lever of the spacing of columns, not of the thickness: a
-   * couple kicks nothing away.
+   * A quadrilateral with the diagonals a and b, which change at the rates a'
+   * and b', and n = a x b has the spin
+   *
+   *   ((b' n) a - (a' n) b + (a' b - b' a) n/2) / n^2,
+   *
+   * that of a rigid motion if it moves like that. The spin at a column is the
+   * mean of those of the quadrilaterals around it. It is linear in the
+   * velocities of their corners, and a couple acts on these by the transpose:
+   * its power is couple times spin, it adds no momentum and exactly its own
+   * moment. The corners have a lever of the spacing of columns, not of the
+   * thickness: a couple kicks nothing away.
+   *
+   * Only what is asked for is computed, once a step.
    */
   class MidSurfaceSpin
   {
@@ -24,26 +30,29 @@ namespace coapt
     /** @p surface must outlive this. */
     explicit MidSurfaceSpin(const MidSurface &surface);
 
-    /** Takes positions @p X (m) and velocities @p V (m/s), both nodal triples,
-     * for what is asked for from now on. */
+    /** Takes the columns' @p points (m) and the nodal velocities @p V (m/s)
+     * for what is asked for from now on. Both must stay as they are. */
     void
-    set_state(const double *X, const double *V);
+    set_state(const std::vector<dealii::Point<3>> &points, const double *V);
 
-    /** Centre of mass of a column (m), where forces on it act. */
-    const dealii::Point<3> &
-    centre(const unsigned int column) const
-    {
-      return centres[column];
-    }
+    /** Velocity of a column (m/s). */
+    const dealii::Tensor<1, 3> &
+    velocity(const unsigned int column);
 
     /** Spin of the surface at a column (rad/s). */
     const dealii::Tensor<1, 3> &
     spin(const unsigned int column);
 
-    /** Bound of the spin that a unit impulse of a couple on the column leaves
-     * (1/(kg m^2)). */
+    /** Estimate of the spin that a unit impulse of a couple on the column
+     * leaves there, in any direction (1/(kg m^2)): the trace of this relation
+     * if its quadrilaterals answered each for itself. */
     double
     inverse_inertia(const unsigned int column);
+
+    /** Impulse of a @p couple (N m s) on a column; they add up until they are
+     * fetched. */
+    void
+    add_couple(const unsigned int column, const dealii::Tensor<1, 3> &couple);
 
     /** An impulse on a column (N s). */
     struct Impulse
@@ -52,29 +61,54 @@ namespace coapt
       dealii::Tensor<1, 3> impulse;
     };
 
-    /** The impulses on columns that make up the impulse of a @p couple (N m s)
-     * on a column; valid until the next call. */
+    /** The impulses on columns that make up all couples since the last call, in
+     * no order and several a column; valid until the next call. */
     const std::vector<Impulse> &
-    impulses(const unsigned int column, const dealii::Tensor<1, 3> &couple);
+    fetch_impulses();
 
   private:
-    /** The columns around one, it included, as a rigid body. */
-    struct Body
+    /** @p step is that in which the rest was computed. */
+    struct ColumnState
     {
-      bool is_current = false;
-      dealii::Point<3> centre;
-      dealii::Tensor<2, 3> inverse_inertia;
-      dealii::Tensor<1, 3> spin;
+      unsigned int step = 0;
+      dealii::Tensor<1, 3> velocity;
     };
 
-    const Body &
-    body(const unsigned int column);
+    struct Rotation
+    {
+      unsigned int step = 0;
+      dealii::Tensor<1, 3> spin;
+      double inverse_inertia = 0;
+    };
+
+    /** A quadrilateral. */
+    struct Quad
+    {
+      Rotation rotation;
+      dealii::Tensor<1, 3> a, b; // diagonals
+      dealii::Tensor<1, 3> n;    // their product by its square; may be zero
+      dealii::Tensor<1, 3> couple;
+      bool has_couple = false;
+    };
+
+    const Rotation &
+    rotation(const unsigned int column);
+
+    const Quad &
+    current_quad(const unsigned int q);
 
     const MidSurface &surface;
-    std::vector<std::vector<unsigned int>> around;
-    std::vector<dealii::Point<3>> centres;
-    std::vector<dealii::Tensor<1, 3>> velocities; // of the centres
-    std::vector<Body> bodies;
+    const std::vector<std::array<unsigned int, 4>> &corners;
+    std::vector<std::vector<unsigned int>> around; // quadrilaterals of a column
+
+    const std::vector<dealii::Point<3>> *points = nullptr;
+    const double *V                             = nullptr;
+    unsigned int step                           = 0;
+
+    std::vector<ColumnState> columns;
+    std::vector<Rotation> rotations; // of columns
+    std::vector<Quad> quads;
+    std::vector<unsigned int> with_couple;
     std::vector<Impulse> parts;
   };
 } // namespace coapt

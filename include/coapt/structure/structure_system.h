@@ -45,8 +45,8 @@ namespace coapt
     void
     finish_step(const double *X, const double *V, const double dt);
 
-    /** Work of contact so far (J): its impulses times the velocities that they
-     * meet. */
+    /** Work of contact so far (J): the mean of its forces at the ends of each
+     * step, times the way in it. */
     double
     contact_work() const
     {
@@ -94,6 +94,7 @@ namespace coapt
 
     /** Acceleration by contact in the coming step, of all nodes. */
     std::vector<double> contact_acceleration;
+    std::vector<double> after_impulse; // scratch
     double work_of_contact = 0;
 
     /** Of each component of the nodes that are moved: force (N) at the last
