@@ -31,11 +31,13 @@ namespace coapt
      * gone after one, and has then raised the mean to a seventh. */
     const double memory = 6;
 
-    /** Which part of a film drains, of the mean of p/p_v in it. */
+    /** Which part of a film drains, of the mean of p/p_v in it. It must be one
+     * at a seventh, and in a film that the ventricle feeds nothing may be left:
+     * half of the leak would be that. */
     double
     openness(const double fed)
     {
-      return falling_step(fed, 0.1, 0.3);
+      return falling_step(fed, 0.15, 0.35);
     }
 
     Point<3>
@@ -183,10 +185,9 @@ namespace coapt
                     const double integral,
                     const double ventricular_integral)
   {
-    const double ratio = std::min(1., integral / ventricular_integral);
-    const double drained =
-      parameters.drainage * openness(fed[column]) * integral; // volumes
-    fed[column] += (1 - std::exp(-drained / memory)) * (ratio - fed[column]);
+    const double ratio   = std::min(1., integral / ventricular_integral);
+    const double volumes = parameters.drainage * integral;
+    fed[column] += (1 - std::exp(-volumes / memory)) * (ratio - fed[column]);
   }
 
 
@@ -222,7 +223,7 @@ namespace coapt
           ramp(edge_distance_with_partner(c, contact.partner[c]),
                0.,
                0.5 * cell_size);
-        station.open = openness(fed[c]);
+        station.fed = fed[c];
       }
   }
 
@@ -254,7 +255,7 @@ namespace coapt
         const Station &station = stations[c];
         result.weight += share * station.weight;
         result.drainage += share * station.drainage;
-        result.open += share * station.open;
+        result.fed += share * station.fed;
         result.normal += share * station.weight * station.normal;
         if (station.weight > 0)
           {
@@ -312,12 +313,13 @@ namespace coapt
         const double part = station.drainage * half * point.volume *
           (1 + station.gap / leaflet.thickness);
         cells[entry].in_film += part / cells[entry].volume;
-        cells[entry].open += station.open * part / cells[entry].volume;
+        cells[entry].fed += station.fed * part / cells[entry].volume;
       }
     // A cell that reaches into a film with a corner only draws from the
     // ventricle.
     for (Cell &cell : cells)
-      cell.draining = cell.open / cell.in_film * ramp(cell.in_film, 0.35, 0.85);
+      cell.draining =
+        openness(cell.fed / cell.in_film) * ramp(cell.in_film, 0.25, 0.75);
   }
 
 

@@ -193,14 +193,12 @@ namespace
     Film film(parameters);
     film.set_gap(gap, 0.);
     // Both halves and the film, 1.5 cells, are three quarters of two layers of
-    // cells, of which four fifths drain; nothing at the edge, all a column from
-    // it.
+    // cells, which drain; nothing at the edge, all a column from it.
     const double rate = film.drainage(p), area = 8e-3 * 7.5e-3;
-    check_relative(
-      "layers within the film by three quarters drain by four fifths",
-      rate / (parameters.drainage * p),
-      0.8 * 2 * h * area,
-      0.07);
+    check_relative("layers within the film by three quarters drain",
+                   rate / (parameters.drainage * p),
+                   2 * h * area,
+                   0.07);
     check("fluid comes back when the pressure reverses",
           std::abs(film.drainage(-p) / rate + 1) < 1e-12);
     check_relative("power = pressure times flow",
@@ -218,9 +216,9 @@ namespace
                    1e-9);
     // 0.35, 1 and 0.15 of three layers, by points that are half a cell apart.
     film.set_gap(gap, 0., 0.4 * h);
-    check_relative("layers within it by a third do not drain",
+    check_relative("one within it by a third drains by a fifth",
                    film.drainage(p) / (parameters.drainage * p),
-                   1.0 * h * area,
+                   1.2 * h * area,
                    0.12);
   }
 
@@ -247,7 +245,7 @@ namespace
         if (fed)
           {
             check("a film that the ventricle feeds stops to drain",
-                  last < 0.1 * first,
+                  last == 0,
                   last / first);
             const double drained = film.film->drained_volume() / volume;
             check("it has drained one to three volumes",

@@ -25,12 +25,12 @@ namespace coapt
    * - the cells between the two mid-surfaces drain to the atrial pressure,
    *   p' = -phi r rho c^2 p with the rate r, and fill again when the pressure
    *   reverses. phi rises from 0 to 1 with the fraction of the cell that lies
-   *   there, from 0.35 to 0.85, and with the distance from the free edge up to
+   *   there, from 0.25 to 0.75, and with the distance from the free edge up to
    *   half a cell, so that the sink does not draw from the ventricle;
    * - a film that stays at a good part of the ventricular pressure p_v although
    *   it drains is fed by the ventricle and does not hold trapped fluid: there,
    *   draining ends while the mean of p/p_v over the last six volumes of film
-   *   that have drained rises from 0.1 to 0.3, until the film opens.
+   *   that drained or would have done so rises from 0.15 to 0.35.
    *
    * Where surfaces are further apart than the largest width, nothing is
    * changed at all.
@@ -81,7 +81,7 @@ namespace coapt
     {
       double weight   = 0;    // of the treatment, 0 to 1
       double drainage = 0;    // the same, for drainage
-      double open     = 0;    // 0 where the ventricle feeds it, else 1
+      double fed      = 0;    // mean of p/p_v
       double gap      = 0;    // m
       bool atrial     = true; // which side faces the film
       dealii::Tensor<1, 3> normal;
@@ -93,7 +93,7 @@ namespace coapt
       unsigned int number;
       double volume;       // of the cell, m^3
       double in_film  = 0; // fraction of the cell in films
-      double open     = 0; // the same of films that the ventricle does not feed
+      double fed      = 0; // this times the mean of p/p_v of the columns
       double draining = 0; // fraction that drains, at most 1
 
       /** Sum of pressures (Pa) over evaluations, later their integral over time
