@@ -372,6 +372,18 @@ namespace coapt
 
 
   template <int dim>
+  void
+  CoupledSystem<dim>::distribute_points(const double *positions,
+                                        std::vector<double> &multiplier)
+  {
+    points.distribute(fluid, positions, multiplier);
+    if (within)
+      within->update(fluid, positions);
+  }
+
+
+
+  template <int dim>
   std::vector<double>
   CoupledSystem<dim>::state_at_rest(
     const std::vector<Point<dim>> &reference_points)
@@ -380,9 +392,7 @@ namespace coapt
       for (unsigned int d = 0; d < dim; ++d)
         X[dim * n + d] = reference_points[n][d];
     std::vector<double> multiplier;
-    points.distribute(fluid, X.data(), multiplier);
-    if (within)
-      within->update(fluid, X.data());
+    distribute_points(X.data(), multiplier);
     update_layout();
 
     std::vector<double> y(state_layout.size(), 0.);
@@ -401,9 +411,7 @@ namespace coapt
     const std::vector<double> positions = solid_positions(y.data());
     std::vector<double> multiplier(y.begin() + state_layout.multiplier(),
                                    y.end());
-    points.distribute(fluid, positions.data(), multiplier);
-    if (within)
-      within->update(fluid, positions.data());
+    distribute_points(positions.data(), multiplier);
     y.resize(state_layout.multiplier());
     y.insert(y.end(), multiplier.begin(), multiplier.end());
     update_layout();

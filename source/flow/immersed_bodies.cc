@@ -323,11 +323,10 @@ namespace coapt
     const ImmersionParameters &coupling = parameters.immersed->coupling;
     // Without the fluid's pressure within, changes of volume of the solid drive
     // that pressure besides those of the fluid itself.
-    const double faster =
-      within ?
-        std::sqrt(1 + parameters.fluid.density /
-                        parameters.immersed->solid.density) :
-        1;
+    const double faster = within
+      ? std::sqrt(1 +
+                  parameters.fluid.density / parameters.immersed->solid.density)
+      : 1;
     return {{"fluid", model.fluid().max_stable_step() / faster},
             {"solid", kinnmark_gray_limit(bound.xi) / bound.omega},
             {"coupling",

@@ -225,6 +225,11 @@ namespace coapt
     driving_power(const double t, const double *y) const;
 
   private:
+    /** Gives the points and their @p multiplier to the ranks that own their
+     * cells, for the solid's @p positions (m). */
+    void
+    distribute_points(const double *positions, std::vector<double> &multiplier);
+
     void
     update_layout();
 
