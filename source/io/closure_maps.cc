@@ -29,9 +29,10 @@ namespace coapt
                 const LeafletMonitor &monitor,
                 const MeanTractions &tractions)
     {
-      const auto &state   = valve.contact->state();
-      const auto filtered = [&](const std::vector<double> &values) {
-        return monitor.coaptation().average(values, state.current_area);
+      const auto &state             = valve.contact->state();
+      const std::vector<double> gap = monitor.gaps();
+      const auto filtered           = [&](const std::vector<double> &values) {
+        return monitor.coaptation().average(values, gap, state.current_area);
       };
       std::vector<double> coapts;
       for (const bool value : monitor.coaptation().coapting(
@@ -46,7 +47,7 @@ namespace coapt
          "coaptation_pressure_kPa",
          kilopascal,
          filtered(tractions.total)},
-        {"gap", "gap_mm", millimetre, monitor.gaps()},
+        {"gap", "gap_mm", millimetre, gap},
         {"first_contact",
          "first_contact_s",
          1.,

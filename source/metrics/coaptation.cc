@@ -35,17 +35,22 @@ namespace coapt
 
   std::vector<double>
   Coaptation::average(const std::vector<double> &values,
+                      const std::vector<double> &gap,
                       const std::vector<double> &area) const
   {
+    const std::vector<bool> beside = apposed(gap);
     std::vector<double> result(values.size(), 0.);
     for (unsigned int c = 0; c < values.size(); ++c)
       {
+        if (!beside[c])
+          continue;
         double sum = 0, weight = 0;
         for (const unsigned int other : neighbourhood[c])
-          {
-            sum += area[other] * values[other];
-            weight += area[other];
-          }
+          if (beside[other])
+            {
+              sum += area[other] * values[other];
+              weight += area[other];
+            }
         result[c] = weight > 0 ? sum / weight : values[c];
       }
     return result;
@@ -92,8 +97,8 @@ namespace coapt
                        const std::vector<double> &total_traction,
                        const std::vector<double> &area) const
   {
-    const std::vector<double> contact  = average(contact_pressure, area);
-    const std::vector<double> traction = average(total_traction, area);
+    const std::vector<double> contact  = average(contact_pressure, gap, area);
+    const std::vector<double> traction = average(total_traction, gap, area);
     const std::vector<bool> coapts     = coapting(gap, total_traction, area);
     CoaptationResult result;
     for (unsigned int c = 0; c < gap.size(); ++c)
@@ -125,7 +130,7 @@ namespace coapt
                        const std::vector<double> &total_traction,
                        const std::vector<double> &area) const
   {
-    const std::vector<double> traction = average(total_traction, area);
+    const std::vector<double> traction = average(total_traction, gap, area);
     std::vector<bool> result(gap.size());
     for (unsigned int c = 0; c < gap.size(); ++c)
       result[c] =
@@ -153,7 +158,7 @@ namespace coapt
                       const std::vector<Point<3>> &points) const
   {
     const std::vector<bool> coapts     = coapting(gap, total_traction, area);
-    const std::vector<double> traction = average(total_traction, area);
+    const std::vector<double> traction = average(total_traction, gap, area);
     const auto of = [&](const LeafletLines::Lines &of_leaflet) {
       return coaptation_profile(of_leaflet,
                                 lines.height,

@@ -3,6 +3,7 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <coapt/geometry/vertex_normals.h>
+#include <coapt/metrics/coaptation_traction.h>
 #include <coapt/metrics/loads.h>
 #include <coapt/metrics/surface_flux.h>
 #include <coapt/metrics/valve_monitor.h>
@@ -22,7 +23,7 @@ namespace coapt
     {
       CoaptationSettings settings;
       const double h         = parameters.mesh.finest_cell();
-      settings.filter_radius = std::max(settings.filter_radius, 2 * h);
+      settings.filter_radius = 2 * h;
       // Fluid trapped between the leaflets holds them up to 1.2 cells apart.
       settings.gap_limit = std::max(parameters.contact.clearance, 1.5 * h);
       return settings;
@@ -155,9 +156,12 @@ namespace coapt
         if (state.normals[c].norm_square() == 0)
           continue;
         column_contact_pressure[c] = state.pressure_impulse[c] / window;
-        const double side          = normals[c] * state.normals[c] < 0 ? -1 : 1;
-        column_traction[c]         = column_contact_pressure[c] + p_v[c] -
-          side * (force * normals[c]) / state.current_area[c];
+        column_traction[c] = coaptation_traction(column_contact_pressure[c],
+                                                 p_v[c],
+                                                 force,
+                                                 normals[c],
+                                                 state.normals[c],
+                                                 state.current_area[c]);
       }
     model.contact->clear_accumulators();
   }

@@ -84,6 +84,17 @@ main(int argc, char **argv)
       narrow.set(i, j, 1e-2, 0);
   check("a belt may be narrow", evaluate(narrow).anterior.continuous);
 
+  // The peak is that of the belt, however narrow it is.
+  Belt thread = closed;
+  for (unsigned int i = 0; i < n_angles; ++i)
+    for (unsigned int j = 8; j <= n_rows; ++j)
+      if (j != 10)
+        thread.set(i, j, 1e-2, 0);
+  check_relative("largest traction of one row",
+                 evaluate(thread).max_traction,
+                 10e3,
+                 1e-12);
+
   // Every line coaptates somewhere, but the pieces do not meet.
   Belt split = closed;
   for (unsigned int i = 18; i < 40; ++i)
@@ -102,7 +113,8 @@ main(int argc, char **argv)
   std::vector<double> noise(leaflet.columns.size());
   for (unsigned int c = 0; c < noise.size(); ++c)
     noise[c] = 10e3 + (c % 2 ? 30e3 : -30e3);
-  const auto smooth = coaptation.average(noise, closed.area);
+  const std::vector<double> touching(noise.size(), 0.);
+  const auto smooth = coaptation.average(noise, touching, closed.area);
   double worst      = 0;
   for (const double value : smooth)
     worst = std::max(worst, std::abs(value - 10e3));

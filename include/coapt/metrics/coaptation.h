@@ -15,8 +15,9 @@ namespace coapt
   struct CoaptationSettings
   {
     /** Tractions are averaged over columns within this distance in the
-     * reference configuration (m); at least two fluid cells, since traction at
-     * single columns is noise. */
+     * reference configuration (m); in blood two fluid cells, since traction at
+     * single columns is noise and a wider mean takes from the peak of a narrow
+     * belt. */
     double filter_radius = 2e-3;
 
     /** Columns with a larger gap to the other side do not coapt (m). */
@@ -83,10 +84,12 @@ namespace coapt
              const std::vector<double> &total_traction,
              const std::vector<double> &area) const;
 
-    /** Area-weighted mean of @p values over the neighbourhood of each column.
-     */
+    /** Area-weighted mean of @p values over the neighbourhood of each column
+     * that is apposed, of apposed ones only, so that the width of a belt does
+     * not change the mean; zero for others. */
     std::vector<double>
     average(const std::vector<double> &values,
+            const std::vector<double> &gap,
             const std::vector<double> &area) const;
 
     /** Which columns coapt, by gap and averaged traction. */

@@ -11,13 +11,10 @@ namespace coapt
 {
   /**
    * Observes a valve in blood during a run: integrates flows between outputs
-   * and samples everything else at outputs. The traction of coaptation is t_co
-   * = p_c + p_film: the contact pressure (impulse over every step), and p_film
-   * = p_v - t_f . N with the coupling force t_f per area, the column's own
-   * normal N towards the film, and the pressure p_v behind the ventricular
-   * face; fluid that is trapped between the leaflets below the resolution
-   * carries load in the place of contact, and only the sum is independent of
-   * the mesh.
+   * and samples everything else at outputs. Tractions of coaptation
+   * (coaptation_traction) are those of contact and film: fluid that is trapped
+   * between the leaflets below the resolution carries load in the place of
+   * contact, and only the sum is independent of the mesh.
    */
   class ValveMonitor : public LeafletMonitor
   {
