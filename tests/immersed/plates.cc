@@ -80,7 +80,7 @@ namespace
   print_dry()
   {
     for (const bool oblique : {false, true})
-      for (const double size : {0.25e-3, 0.5e-3, 1e-3, 2e-3})
+      for (const double size : {0.125e-3, 0.25e-3, 0.5e-3, 1e-3, 2e-3})
         std::cout << (oblique ? "oblique " : "tilted ") << size << ' '
                   << dry_deflection({oblique, size}) << std::endl;
   }

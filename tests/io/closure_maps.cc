@@ -19,7 +19,7 @@ using dealii::Point;
 
 namespace
 {
-  const double mean_contact = 4e3, mean_total = 7e3;
+  const double mean_contact = 4e3, mean_total = 7e3, sample_time = 0.25;
 
   /** All nodes near y = 0, at rest. */
   std::vector<double>
@@ -59,6 +59,17 @@ namespace
     return result;
   }
 
+  /** A constant where the leaflets lie beside each other, zero elsewhere. */
+  std::vector<double>
+  where_apposed(const LeafletMonitor &monitor, const double value)
+  {
+    std::vector<double> result;
+    for (const bool is_apposed :
+         monitor.coaptation().apposed(monitor.gaps()))
+      result.push_back(is_apposed ? value : 0.);
+    return result;
+  }
+
   void
   check_table(const UnrolledLeaflet &map,
               const LeafletMonitor &monitor,
@@ -74,11 +85,11 @@ namespace
     check("table, gaps", error("gap_mm", monitor.gaps(), millimetre) < 1e-8);
     check("table, contact pressure",
           error("contact_pressure_kPa",
-                std::vector<double>(n, mean_contact),
+                where_apposed(monitor, mean_contact),
                 kilopascal) < 1e-2);
     check("table, pressure of coaptation",
           error("coaptation_pressure_kPa",
-                std::vector<double>(n, mean_total),
+                where_apposed(monitor, mean_total),
                 kilopascal) < 1e-2);
     check("table, what coapts", error("coapts", coapts, 1) == 0);
     check("table, slip",
@@ -113,12 +124,27 @@ namespace
     };
     check("grid, gaps", error("gap", monitor.gaps()) < 1e-8);
     check("grid, contact pressure",
-          error("contact_pressure", std::vector<double>(n, mean_contact)) <
+          error("contact_pressure", where_apposed(monitor, mean_contact)) <
             1e-2);
     check("grid, pressure of coaptation",
-          error("coaptation_pressure", std::vector<double>(n, mean_total)) <
+          error("coaptation_pressure", where_apposed(monitor, mean_total)) <
             1e-2);
     check("grid, what coapts", error("coapts", coapts) == 0);
+    check("grid, slip", error("slip", std::vector<double>(n, 0.)) == 0);
+
+    // Those that touch do so since the only sample; the others never did.
+    const auto first   = grid.array<float>("first_contact");
+    unsigned int early = 0, never = 0;
+    for (unsigned int i = 0; i < first.size(); ++i)
+      {
+        const double expected =
+          monitor.contact_history().first_times()[map.columns[i]];
+        early += expected == sample_time && first[i] == float(sample_time);
+        never += std::isnan(expected) && std::isnan(first[i]);
+      }
+    check("grid, first contact",
+          early > 0 && never > 0 && early + never == map.points.size(),
+          early);
     const auto region  = grid.array<float>("region");
     unsigned int wrong = region.size() != map.quads.size();
     for (unsigned int i = 0; i < region.size() && wrong == 0; ++i)
@@ -142,7 +168,7 @@ main(int argc, char *argv[])
   const std::vector<double> state = flat_state(valve);
   system.finish_step(state.data(), state.data() + state.size() / 2, 1e-6);
   StructureMonitor monitor(valve, system);
-  monitor.sample(0, state);
+  monitor.sample(sample_time, state);
 
   const unsigned int n = valve.leaflet.columns.size();
   const MeanTractions tractions{std::vector<double>(n, mean_contact),

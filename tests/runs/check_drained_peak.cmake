@@ -1,0 +1,45 @@
+# Runs the drained valve VALVE with PROGRAM on two ranks in FOLDER, with cells of
+# 0.69 mm, to peak systole under the pressures of TABLE. Asserts that it is sealed with
+# a belt of coaptation from commissure to commissure, that contact carries 90 % of the
+# force of coaptation, and that less than 1 mL/s leaks, with what drains.
+cmake_minimum_required(VERSION 3.19)
+
+file(REMOVE_RECURSE ${FOLDER})
+file(MAKE_DIRECTORY ${FOLDER})
+file(READ ${VALVE} valve)
+file(WRITE ${FOLDER}/peak.prm "${valve}
+subsection Output
+  set Folder          = results
+  set Fields interval = 1
+end
+subsection Ends
+  set Pressure table = ${TABLE}
+end
+subsection Mesh
+  set Coarse cell = 5.555555556
+end
+")
+execute_process(COMMAND ${MPIEXEC} -n 2 ${PROGRAM} peak.prm WORKING_DIRECTORY ${FOLDER}
+  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "Exit code ${code}:\n${output}")
+endif()
+
+file(READ ${FOLDER}/results/summary.json summary)
+foreach(key sealed coaptation_belt_continuous contact_fraction leak_mL_per_s
+    energy_error_relative)
+  string(JSON ${key} GET "${summary}" ${key})
+  message("${key}: ${${key}}")
+endforeach()
+if(NOT sealed OR NOT coaptation_belt_continuous)
+  message(FATAL_ERROR "It is not sealed.")
+endif()
+if(contact_fraction LESS 0.9)
+  message(FATAL_ERROR "Contact carries too little.")
+endif()
+if(leak_mL_per_s GREATER 1)
+  message(FATAL_ERROR "It leaks.")
+endif()
+if(energy_error_relative GREATER 0.005)
+  message(FATAL_ERROR "Energy is not balanced.")
+endif()
