@@ -122,10 +122,9 @@ def regurgitation_findings(run, healthy):
     return [
         Finding("regurgitation", "a gap in the belt of coaptation, on the "
                 "side of the torn chordae (x > 0)",
-                f"{len(gaps)} gaps, at x = "
-                f"{', '.join(f'{x:.1f}' for x in gaps) or '–'} mm; widest way "
-                f"{value(run, 'widest_path/width_mm'):.2f} mm beyond contact, "
-                f"at x = {way:.1f} mm",
+                f"gaps at x = {', '.join(f'{x:.1f}' for x in gaps)} mm; "
+                f"widest way {value(run, 'widest_path/width_mm'):.2f} mm "
+                f"beyond contact, at x = {way:.1f} mm" if gaps else "no gap",
                 max(gaps, default=0) > 0 and way > 0
                 and not run.summary["sealed"]),
         Finding("regurgitation", "a jet",
