@@ -104,17 +104,18 @@ def no_chordae_findings(run):
                     height > 0 and not run.summary["sealed"])]
 
 
-def gap_places(run):
-    """Where the belt has gaps: x (mm), from the left to the right."""
-    return sorted(gap["x_mm"]
-                  for name, gap in run.summary.get("gaps", {}).items()
-                  if name != "number")
+def longest_gap(run):
+    """Length and x (mm) of the longest gap in the belt; zeros without gaps."""
+    return max(((gap["length_mm"], gap["x_mm"])
+                for name, gap in run.summary.get("gaps", {}).items()
+                if name != "number"), default=(0., 0.))
 
 
 def regurgitation_findings(run, healthy):
     """A gap in the belt where chordae are torn, which are R-P2 to R-P4, on the
     right (x > 0), a jet, a flow that does not stop."""
-    gaps, way = gap_places(run), value(run, "widest_path/x_mm")
+    gaps, (length, place) = value(run, "gaps/number"), longest_gap(run)
+    way = value(run, "widest_path/x_mm")
     speed = float(run.statistics["velocity_max_m_per_s"][-1])
     pressure = float(run.statistics["ventricular_pressure_Pa"][-1])
     jet = (2 * pressure / float(run.parameters["Fluid/Density"]))**.5
@@ -122,11 +123,11 @@ def regurgitation_findings(run, healthy):
     return [
         Finding("regurgitation", "a gap in the belt of coaptation, on the "
                 "side of the torn chordae (x > 0)",
-                f"gaps at x = {', '.join(f'{x:.1f}' for x in gaps)} mm; "
-                f"widest way {value(run, 'widest_path/width_mm'):.2f} mm "
-                f"beyond contact, at x = {way:.1f} mm" if gaps else "no gap",
-                max(gaps, default=0) > 0 and way > 0
-                and not run.summary["sealed"]),
+                f"{gaps:.0f} gaps, the longest {length:.1f} mm at x = "
+                f"{place:.1f} mm; widest way "
+                f"{value(run, 'widest_path/width_mm'):.2f} mm beyond contact, "
+                f"at x = {way:.1f} mm" if gaps > 0 else "no gap",
+                place > 0 and way > 0 and not run.summary["sealed"]),
         Finding("regurgitation", "a jet",
                 f"{speed:.1f} m/s, Bernoulli's law allows {jet:.1f} m/s",
                 speed >= .5 * jet),
