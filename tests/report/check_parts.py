@@ -53,6 +53,17 @@ def check_streamlines():
           abs(speed - 10 * radius).max() < 1e-5)
 
 
+def check_cut():
+    """The half on the left, and all that is not cut."""
+    blood = rotating_blood(4)
+    half = pictures.clipped(blood, pictures.half_plane())
+    x = [half.GetCell(i).GetBounds()[:2]
+         for i in range(half.GetNumberOfCells())]
+    check("a cut leaves the left half",
+          numpy.allclose((numpy.min(x), numpy.max(x)), (-.02, 0)))
+    check("without one all is left", pictures.clipped(blood, None) is blood)
+
+
 def check_times():
     """Fields nearest to chosen times, or worth a look."""
     times = numpy.array([0., .01, .02, .03])
@@ -116,6 +127,21 @@ def check_verdicts():
     check("a belt without a gap", "unbroken" in closure.belt_sentence(run))
 
 
+def check_regions():
+    """Figures by region, of which a run may lack some."""
+    summary = {"regions": {"anterior": {
+        "stress_mean_kPa": 75.4, "principal_stress_mean_kPa": 72.6,
+        "principal_stress_95_percent_kPa": 158.2, "strain_mean": .3086}}}
+    rows = closure.region_rows([types.SimpleNamespace(summary=summary)])
+    check("figures of the anterior leaflet", rows[:8] == [
+        ("Anterior",), ["Mean von Mises stress, kPa", "75"],
+        ["… exceeded by 5 %, kPa", "–"],
+        ["Mean of the largest principal stress, kPa", "73"],
+        ["… exceeded by 5 %, kPa", "158"],
+        ["Mean of the largest strain", "0.309"],
+        ["… exceeded by 5 %", "–"], ["Bulging volume, mL", "–"]])
+
+
 def check_sections():
     """All places where leaflets are cut."""
     tables = [{"x_mm": numpy.array([-8.75, -8.75, -0., 8.75])},
@@ -142,10 +168,12 @@ def check_map():
 
 
 check_streamlines()
+check_cut()
 check_times()
 check_volume()
 check_leaks()
 check_verdicts()
+check_regions()
 check_sections()
 check_map()
 sys.exit(1 if failures else 0)

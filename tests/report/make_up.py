@@ -12,9 +12,12 @@ import shutil
 import sys
 
 CASES = {
-    "healthy": {"sealed": True, "leak_mL_per_s": .1, "closing_time_s": 5e-4},
+    "healthy": {"sealed": True, "leak_mL_per_s": .1, "closing_time_s": 5e-4,
+                "coaptation_belt_continuous": True, "gaps": {"number": 0},
+                "bulging_volume_mL": .05},
     "regurgitation": {"sealed": False, "leak_mL_per_s": 12.},
-    "prolapse": {"sealed": True, "leak_mL_per_s": .2, "closing_time_s": 6e-4},
+    "prolapse": {"sealed": True, "leak_mL_per_s": .2, "closing_time_s": 6e-4,
+                 "bulging_volume_mL": .2},
     "no_chordae": {"sealed": False, "leak_mL_per_s": 300.}}
 
 

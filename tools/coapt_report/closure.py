@@ -253,6 +253,10 @@ def region_rows(runs):
         for title, key, pattern in (
                 ("Mean von Mises stress, kPa", "stress_mean_kPa", "{:.0f}"),
                 ("… exceeded by 5 %, kPa", "stress_95_percent_kPa", "{:.0f}"),
+                ("Mean of the largest principal stress, kPa",
+                 "principal_stress_mean_kPa", "{:.0f}"),
+                ("… exceeded by 5 %, kPa", "principal_stress_95_percent_kPa",
+                 "{:.0f}"),
                 ("Mean of the largest strain", "strain_mean", "{:.3f}"),
                 ("… exceeded by 5 %", "strain_95_percent", "{:.3f}"),
                 ("Bulging volume, mL", "bulging_volume_mL", "{:.3f}")):

@@ -48,8 +48,8 @@ class Field:
 STRESS = Field("von_mises", "Von Mises stress", "kPa", 1e3, "YlOrRd")
 PRINCIPAL = Field("max_principal_stress", "Largest principal stress", "kPa",
                   1e3, "YlOrRd")
-STRAIN = Field("max_log_strain", "Largest strain (logarithmic)", "", 1,
-               "YlGnBu")
+STRAIN = Field("max_log_strain", "Largest principal logarithmic strain", "",
+               1, "YlGnBu")
 TRACTION = Field("coaptation_pressure", "Coaptation pressure", "kPa", 1e3,
                  "BuPu")
 SPEED = Field("velocity", "Speed of the blood", "m/s", 1, "viridis")

@@ -13,9 +13,9 @@ from .run import read_csv
 STRESS_CHANGE, STRAIN_CHANGE = .009, .004
 LEAKS = ((280e3, 22.6), (100e3, 23.9), (80e3, 26.2), (71e3, 36.8))
 
-# Bounds of ours: a sealed valve leaks at most this (mL/s), a flat one bulges at
-# most this (mL).
-LARGEST_LEAK, LARGEST_BULGING = 1., 1.
+# Bounds of ours: a sealed valve leaks at most this (mL/s); a flat one bulges at
+# most this (mL), and at most this share of what a prolapse does.
+LARGEST_LEAK, LARGEST_BULGING, FLAT_SHARE = 1., .3, .5
 
 
 class Finding:
@@ -66,17 +66,30 @@ def last_flow(run):
     return float(flow[late].mean() / flow.max())
 
 
-def healthy_findings(healthy):
-    """It seals, is nearly flat, and the flow falls to zero."""
-    leak, bulging = (value(healthy, "leak_mL_per_s"),
-                     value(healthy, "bulging_volume_mL"))
+def flatness(healthy, prolapse):
+    """Nearly flat: there is little bulging, of which a prolapse has more."""
+    bulging = value(healthy, "bulging_volume_mL")
+    if prolapse is None:
+        return Finding("healthy", "nearly flat",
+                       f"bulging {bulging:.3f} mL, prolapse –",
+                       None if bulging <= LARGEST_BULGING else False)
+    other = value(prolapse, "bulging_volume_mL")
+    return Finding("healthy", "nearly flat",
+                   f"bulging {bulging:.3f} mL, prolapse {other:.3f} mL",
+                   bulging <= min(LARGEST_BULGING, FLAT_SHARE * other))
+
+
+def healthy_findings(healthy, prolapse):
+    """It seals with an unbroken belt, is nearly flat, and the flow falls to
+    zero."""
+    unbroken = healthy.summary["coaptation_belt_continuous"]
     return [
         Finding("healthy", "sealed",
-                f"leak {leak:.2f} mL/s, gaps in the belt: "
+                f"leak {value(healthy, 'leak_mL_per_s'):.2f} mL/s, belt of "
+                f"coaptation {'unbroken' if unbroken else 'broken'}, gaps: "
                 f"{value(healthy, 'gaps/number'):.0f}",
-                healthy.summary["sealed"]),
-        Finding("healthy", "nearly flat", f"bulging {bulging:.4f} mL",
-                bulging <= LARGEST_BULGING),
+                healthy.summary["sealed"] and unbroken),
+        flatness(healthy, prolapse),
         Finding("healthy", "the flow falls to zero",
                 f"at the end {100 * last_flow(healthy):.1f} % of its peak",
                 abs(last_flow(healthy)) <= .05)]
@@ -91,18 +104,30 @@ def no_chordae_findings(run):
                     height > 0 and not run.summary["sealed"])]
 
 
+def longest_gap(run):
+    """Length and x (mm) of the longest gap in the belt; zeros without gaps."""
+    return max(((gap["length_mm"], gap["x_mm"])
+                for name, gap in run.summary.get("gaps", {}).items()
+                if name != "number"), default=(0., 0.))
+
+
 def regurgitation_findings(run, healthy):
-    """A gap in the belt, a jet, a flow that does not stop."""
-    gaps = value(run, "gaps/number")
+    """A gap in the belt where chordae are torn, which are R-P2 to R-P4, on the
+    right (x > 0), a jet, a flow that does not stop."""
+    gaps, (length, place) = value(run, "gaps/number"), longest_gap(run)
+    way = value(run, "widest_path/x_mm")
     speed = float(run.statistics["velocity_max_m_per_s"][-1])
     pressure = float(run.statistics["ventricular_pressure_Pa"][-1])
     jet = (2 * pressure / float(run.parameters["Fluid/Density"]))**.5
     leak = value(run, "leak_mL_per_s")
     return [
-        Finding("regurgitation", "a gap in the belt of coaptation",
-                f"{gaps:.0f} gaps, widest way "
-                f"{value(run, 'widest_path/width_mm'):.2f} mm beyond contact",
-                gaps > 0 and not run.summary["sealed"]),
+        Finding("regurgitation", "a gap in the belt of coaptation, on the "
+                "side of the torn chordae (x > 0)",
+                f"{gaps:.0f} gaps, the longest {length:.1f} mm at x = "
+                f"{place:.1f} mm; widest way "
+                f"{value(run, 'widest_path/width_mm'):.2f} mm beyond contact, "
+                f"at x = {way:.1f} mm" if gaps > 0 else "no gap",
+                place > 0 and way > 0 and not run.summary["sealed"]),
         Finding("regurgitation", "a jet",
                 f"{speed:.1f} m/s, Bernoulli's law allows {jet:.1f} m/s",
                 speed >= .5 * jet),
@@ -166,13 +191,13 @@ NOT_RUN = (
 
 def case_findings(runs):
     """Findings of the four cases, of which some may be missing."""
-    healthy = runs.get("healthy")
+    healthy, prolapse = runs.get("healthy"), runs.get("prolapse")
     found = {
-        "healthy": lambda: healthy_findings(healthy),
+        "healthy": lambda: healthy_findings(healthy, prolapse),
         "no_chordae": lambda: no_chordae_findings(runs["no_chordae"]),
         "regurgitation": lambda: regurgitation_findings(
             runs["regurgitation"], healthy),
-        "prolapse": lambda: prolapse_findings(runs["prolapse"], healthy)}
+        "prolapse": lambda: prolapse_findings(prolapse, healthy)}
     findings = []
     for name, text in NOT_RUN:
         if name in runs and healthy is not None:

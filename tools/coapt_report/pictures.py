@@ -17,7 +17,7 @@ ATRIAL = ((0, 0, 1), (0, 1, 0), 0., .0175)
 SIDE = ((.45, -1, .3), (0, 0, 1), -.0125, .0215)
 FROM_ANTERIOR = ((0, 1, .15), (0, 0, 1), -.0065, .0155)
 FROM_POSTERIOR = ((0, -1, .15), (0, 0, 1), -.0065, .0155)
-CUT = ((1, 0, 0), (0, 0, 1), -.0095, .0195)
+CUT = ((1, 0, 0), (0, 0, 1), -.0115, .0195)
 
 
 def look_up_table(field, top):
@@ -31,19 +31,22 @@ def look_up_table(field, top):
     return table
 
 
-def leaflet_actor(grid, field, top, plane=None):
+def clipped(grid, plane):
+    """What a plane leaves of a grid; all of it without a plane."""
+    if plane is None:
+        return grid
+    clip = vtk.vtkClipDataSet()
+    clip.SetInputData(grid)
+    clip.SetClipFunction(plane)
+    clip.Update()
+    return clip.GetOutput()
+
+
+def leaflet_actor(grid, field=None, top=1, plane=None):
     """The leaflet coloured by a field, or plain; cut by a plane if one is
     given."""
-    grid = with_points_values(grid, field)
-    source = vtk.vtkTrivialProducer()
-    source.SetOutput(grid)
-    if plane is not None:
-        clip = vtk.vtkClipDataSet()
-        clip.SetInputConnection(source.GetOutputPort())
-        clip.SetClipFunction(plane)
-        source = clip
     surface = vtk.vtkDataSetSurfaceFilter()
-    surface.SetInputConnection(source.GetOutputPort())
+    surface.SetInputData(clipped(with_points_values(grid, field), plane))
     surface.Update()
     return surface_actor(surface.GetOutput(), field, top)
 
@@ -85,10 +88,10 @@ def with_points_values(grid, field):
     return copy
 
 
-def chordae_actor(grid):
-    """Chordae as tubes."""
+def chordae_actor(grid, plane=None):
+    """Chordae as tubes, cut like the leaflet."""
     lines = vtk.vtkDataSetSurfaceFilter()
-    lines.SetInputData(grid)
+    lines.SetInputData(clipped(grid, plane))
     tubes = vtk.vtkTubeFilter()
     tubes.SetInputConnection(lines.GetOutputPort())
     tubes.SetRadius(2.5e-4)
@@ -99,6 +102,7 @@ def chordae_actor(grid):
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(.55, .43, .31)
+    actor.GetProperty().SetAmbient(.28)
     return actor
 
 
@@ -148,12 +152,13 @@ def picture(actors, look, width=WIDTH, height=HEIGHT):
     image = vtk.vtkWindowToImageFilter()
     image.SetInput(window)
     image.ReadFrontBufferOff()
-    writer = vtk.vtkPNGWriter()
+    writer = vtk.vtkJPEGWriter()  # a third of a PNG
     writer.WriteToMemoryOn()
+    writer.SetQuality(90)
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
     data = bytes(memoryview(writer.GetResult()))
-    return "data:image/png;base64," + base64.b64encode(data).decode()
+    return "data:image/jpeg;base64," + base64.b64encode(data).decode()
 
 
 def add_lamps(renderer):
@@ -187,35 +192,45 @@ def half_plane():
     return plane
 
 
+# From where a valve is shown, and how it is cut.
+VIEWS = {"from the atrium": (ATRIAL, None),
+         "from the posterior side": (SIDE, None),
+         "cut through the middle": (CUT, half_plane())}
+
+
+def valve_picture(run, frame, view, field=None, top=1):
+    """The leaflets, plain or coloured by a field, and the chordae."""
+    look, plane = view
+    return picture([leaflet_actor(run.fields("leaflet", frame), field, top,
+                                  plane),
+                    chordae_actor(run.fields("chordae", frame), plane)], look)
+
+
+def blood_picture(run, top):
+    """The pressure of the blood (Pa) on the cut through the closed valve."""
+    return picture([leaflet_actor(run.fields("leaflet"), plane=half_plane()),
+                    slice_actor(run.fields("fluid"), "pressure",
+                                pressure_table(top))], CUT)
+
+
 def valve_pictures(run, ranges):
-    """Pairs of caption and data URL of the open and the closed valve."""
-    start, end = run.fields("leaflet", 0), run.fields("leaflet")
-    chordae = run.fields("chordae")
-    top = max(1., float(run.statistics["ventricular_pressure_Pa"].max()))
-    time = 1e3 * run.times[-1]
-    closed = f"At {time:.0f} ms"
+    """Pairs of caption and data URL: the valve open, at rest and therefore
+    plain, and closed, in the colours of stress and of strain; each from all
+    sides. In blood, also the pressure on the cut."""
+    time = f"at {1e3 * run.times[-1]:.0f} ms"
     pictures = [
-        ("Open, from the atrium",
-         [leaflet_actor(start, None, 1),
-          chordae_actor(run.fields("chordae", 0))], ATRIAL),
-        (f"{closed}, from the atrium: stress",
-         [leaflet_actor(end, STRESS, ranges[STRESS]),
-          chordae_actor(chordae)], ATRIAL),
-        (f"{closed}, from the atrium: strain",
-         [leaflet_actor(end, STRAIN, ranges[STRAIN]),
-          chordae_actor(chordae)], ATRIAL),
-        (f"{closed}, from the posterior side: stress",
-         [leaflet_actor(end, STRESS, ranges[STRESS]),
-          chordae_actor(chordae)], SIDE)]
-    cut = [leaflet_actor(end, None, 1, half_plane())]
-    caption = f"{closed}, cut through the middle"
+        (f"{title}, {name}",
+         valve_picture(run, frame, view, field, ranges.get(field)))
+        for title, frame, field in (
+            ("Open", 0, None), (f"{STRESS.title} {time}", -1, STRESS),
+            (f"{STRAIN.title} {time}", -1, STRAIN))
+        for name, view in VIEWS.items()]
     if run.in_blood:
-        cut.append(slice_actor(run.fields("fluid"), "pressure",
-                               pressure_table(top)))
-        caption += ": pressure of the blood"
-    pictures.append((caption, cut, CUT))
-    return [(caption, picture(actors, look))
-            for caption, actors, look in pictures]
+        top = max(1., float(run.statistics["ventricular_pressure_Pa"].max()))
+        pictures.append((f"Pressure of the blood {time}, cut through the "
+                         f"middle: blue 0, red {1e-3 * top:.3g} kPa",
+                         blood_picture(run, top)))
+    return pictures
 
 
 def fastest_points(grid, n_seeds=100, share=.01):
@@ -307,7 +322,7 @@ def streamline_pictures(run, times=()):
     pictures = []
     for name, frame in flow_frames(run, times):
         flow = Flow(run, frame)
-        leaflet = leaflet_actor(run.fields("leaflet", frame), None, 1)
+        leaflet = leaflet_actor(run.fields("leaflet", frame))
         leaflet.GetProperty().SetOpacity(.35)
         source = picture([streamline_actor(flow.lines, flow.top), leaflet,
                           chordae_actor(run.fields("chordae", frame))], SIDE)
