@@ -130,6 +130,10 @@ def verdict(run):
                 f"{leak} At {1e3 * summary['end_time_s']:.0f} ms "
                 f"the leaflets meet over "
                 f"{summary['coaptation_area_mm2']:.0f} mm².")
+    elif path["width_mm"] < path.get("shut_below_mm", 0):
+        drained = summary.get("leak_drained_mL_per_s", 0)
+        text = (f"{leak} It is shut, but that is more than counts as tight; "
+                f"{drained:.2f} mL/s drain from films between the leaflets.")
     else:
         text = (f"{leak} The widest way through the valve is "
                 f"{path['width_mm']:.2f} mm beyond contact, at the "
