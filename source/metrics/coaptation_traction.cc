@@ -12,6 +12,6 @@ namespace coapt
   {
     const double side = normal * to_partner < 0 ? -1 : 1;
     return contact_pressure + ventricular_pressure -
-           side * (force * normal) / area;
+      side * (force * normal) / area;
   }
 } // namespace coapt

@@ -64,8 +64,7 @@ namespace
   where_apposed(const LeafletMonitor &monitor, const double value)
   {
     std::vector<double> result;
-    for (const bool is_apposed :
-         monitor.coaptation().apposed(monitor.gaps()))
+    for (const bool is_apposed : monitor.coaptation().apposed(monitor.gaps()))
       result.push_back(is_apposed ? value : 0.);
     return result;
   }

@@ -25,24 +25,20 @@ main(int argc, char **argv)
   const Tensor<1, 3> oblique = 0.5 * to_film + std::sqrt(0.75) * along;
 
   for (const double sign : {1., -1.})
-    check_relative(sign > 0 ? "contact and film" :
-                              "the same for the opposite normal",
-                   coaptation_traction(p_contact,
-                                       p_ventricle,
-                                       force,
-                                       sign * to_film,
-                                       oblique,
-                                       area),
-                   p_contact + p_film,
-                   1e-12);
+    check_relative(
+      sign > 0 ? "contact and film" : "the same for the opposite normal",
+      coaptation_traction(
+        p_contact, p_ventricle, force, sign * to_film, oblique, area),
+      p_contact + p_film,
+      1e-12);
 
   // A film at the ventricular pressure carries all of it, one at the atrial
   // pressure none: then only contact is left.
-  check_relative("a film that does not drain",
-                 coaptation_traction(
-                   0, p_ventricle, Tensor<1, 3>(), to_film, to_film, area),
-                 p_ventricle,
-                 1e-12);
+  check_relative(
+    "a film that does not drain",
+    coaptation_traction(0, p_ventricle, Tensor<1, 3>(), to_film, to_film, area),
+    p_ventricle,
+    1e-12);
   check_relative("a film that has drained",
                  coaptation_traction(p_contact,
                                      p_ventricle,
