@@ -13,28 +13,40 @@ namespace coapt
   {
     for (unsigned int c = 0; c < leaflet.columns.size(); ++c)
       reference.push_back(middle_of_column(leaflet, c));
-    set_up_neighbourhoods();
+    around_value = columns_within(settings.filter_radius);
+    around_belt  = columns_within(settings.belt_radius);
   }
 
 
 
-  void
-  Coaptation::set_up_neighbourhoods()
+  Coaptation::Neighbourhoods
+  Coaptation::columns_within(const double radius) const
   {
     const unsigned int n = reference.size();
-    const double square  = settings.filter_radius * settings.filter_radius;
-    neighbourhood.resize(n);
+    Neighbourhoods result(n);
     for (unsigned int c = 0; c < n; ++c)
       for (unsigned int other = 0; other < n; ++other)
         if (other == c ||
-            reference[c].distance_square(reference[other]) <= square)
-          neighbourhood[c].push_back(other);
+            reference[c].distance_square(reference[other]) <= radius * radius)
+          result[c].push_back(other);
+    return result;
   }
 
 
 
   std::vector<double>
   Coaptation::average(const std::vector<double> &values,
+                      const std::vector<double> &gap,
+                      const std::vector<double> &area) const
+  {
+    return average(around_value, values, gap, area);
+  }
+
+
+
+  std::vector<double>
+  Coaptation::average(const Neighbourhoods &around,
+                      const std::vector<double> &values,
                       const std::vector<double> &gap,
                       const std::vector<double> &area) const
   {
@@ -45,7 +57,7 @@ namespace coapt
         if (!beside[c])
           continue;
         double sum = 0, weight = 0;
-        for (const unsigned int other : neighbourhood[c])
+        for (const unsigned int other : around[c])
           if (beside[other])
             {
               sum += area[other] * values[other];
@@ -130,7 +142,8 @@ namespace coapt
                        const std::vector<double> &total_traction,
                        const std::vector<double> &area) const
   {
-    const std::vector<double> traction = average(total_traction, gap, area);
+    const std::vector<double> traction =
+      average(around_belt, total_traction, gap, area);
     std::vector<bool> result(gap.size());
     for (unsigned int c = 0; c < gap.size(); ++c)
       result[c] =

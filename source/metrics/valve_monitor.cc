@@ -24,6 +24,7 @@ namespace coapt
       CoaptationSettings settings;
       const double h         = parameters.mesh.finest_cell();
       settings.filter_radius = 2 * h;
+      settings.belt_radius   = std::max(settings.belt_radius, 2 * h);
       // Fluid trapped between the leaflets holds them up to 1.2 cells apart.
       settings.gap_limit = std::max(parameters.contact.clearance, 1.5 * h);
       return settings;

@@ -14,11 +14,14 @@ namespace coapt
   /** What counts as coaptation. */
   struct CoaptationSettings
   {
-    /** Tractions are averaged over columns within this distance in the
-     * reference configuration (m); in blood two fluid cells, since traction at
-     * single columns is noise and a wider mean takes from the peak of a narrow
-     * belt. */
+    /** Values of single columns are noise: they are averaged over columns
+     * within this distance in the reference configuration (m), in blood two
+     * fluid cells; a wider mean takes from the peaks. */
     double filter_radius = 2e-3;
+
+    /** For the belt, tractions are averaged over columns within this distance
+     * (m): a spot without pressure that is smaller is no gap. */
+    double belt_radius = 2e-3;
 
     /** Columns with a larger gap to the other side do not coapt (m). */
     double gap_limit = 1.5e-3;
@@ -133,8 +136,18 @@ namespace coapt
     }
 
   private:
-    void
-    set_up_neighbourhoods();
+    /** Columns around each column, in the reference configuration. */
+    using Neighbourhoods = std::vector<std::vector<unsigned int>>;
+
+    Neighbourhoods
+    columns_within(const double radius) const;
+
+    /** Means over these columns as average() takes them. */
+    std::vector<double>
+    average(const Neighbourhoods &around,
+            const std::vector<double> &values,
+            const std::vector<double> &gap,
+            const std::vector<double> &area) const;
 
     LeafletCoaptation
     belt(const LeafletLines::Lines &of_leaflet,
@@ -144,8 +157,8 @@ namespace coapt
 
     const LeafletLines lines;
     const BeltGraph graph;
-    std::vector<dealii::Point<3>> reference;              // of columns
-    std::vector<std::vector<unsigned int>> neighbourhood; // within the radius
+    std::vector<dealii::Point<3>> reference; // of columns
+    Neighbourhoods around_value, around_belt;
   };
 } // namespace coapt
 
