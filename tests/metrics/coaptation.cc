@@ -95,6 +95,13 @@ main(int argc, char **argv)
                  10e3,
                  1e-12);
 
+  // Nor is a line without pressure a gap, where the leaflets touch.
+  Belt spot = closed;
+  for (unsigned int j = 8; j <= n_rows; ++j)
+    spot.set(30, j, 0.5e-3, 0);
+  check("a spot without pressure is no gap",
+        evaluate(spot).anterior.continuous);
+
   // Every line coaptates somewhere, but the pieces do not meet.
   Belt split = closed;
   for (unsigned int i = 18; i < 40; ++i)
