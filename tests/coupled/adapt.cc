@@ -8,9 +8,8 @@ using namespace coapt;
 
 namespace
 {
-  template <typename Container>
   double
-  difference(const Container &a, const Container &b)
+  difference(const std::vector<double> &a, const std::vector<double> &b)
   {
     double worst = a.size() == b.size() ? 0. : 1.;
     for (unsigned int i = 0; i < std::min(a.size(), b.size()); ++i)
@@ -42,19 +41,6 @@ namespace
           return std::abs(center[0] - 8e-3) < reach ? 3u : 2u;
         },
         y);
-    }
-
-    double
-    multiplier_energy() const
-    {
-      const auto u = system.local_velocity(y.data());
-      const auto V = system.solid_velocities(y.data());
-      return points
-        .energy_and_power(system.relaxation(),
-                          u.data(),
-                          V.data(),
-                          y.data() + system.layout().multiplier())
-        .energy;
     }
 
     /** Largest change of a velocity of the plate (m/s) in the last step. */
@@ -99,15 +85,14 @@ main(int argc, char *argv[])
       const double before = box.run(dt, n_steps);
       const auto X        = box.system.solid_positions(box.y.data());
       const auto V        = box.system.solid_velocities(box.y.data());
-      const double energy = box.energy(), stored = box.multiplier_energy();
+      const double energy = box.energy(), stored = box.coupling().energy;
       adapts = box.refine_within(reach) && adapts;
       moved =
         std::max({moved,
                   difference(X, box.system.solid_positions(box.y.data())),
                   difference(V, box.system.solid_velocities(box.y.data()))});
-      multipliers =
-        std::max(multipliers,
-                 std::abs(box.multiplier_energy() - stored) / stored);
+      multipliers = std::max(multipliers,
+                             std::abs(box.coupling().energy - stored) / stored);
       change += std::abs(box.energy() - energy) / whole;
       growth = std::max(growth, (box.energy() - energy) / whole);
       jerk   = std::max(jerk, box.run(dt, 1) / before);

@@ -125,6 +125,18 @@ struct CoupledCase
                     coapt::kinnmark_gray_limit(bound.xi) / bound.omega);
   }
 
+  /** Energy, power and slip of the multipliers. */
+  typename coapt::CouplingPoints<dim>::EnergyAndPower
+  coupling() const
+  {
+    const std::vector<double> V = system.solid_velocities(y.data());
+    const std::vector<double> u = system.local_velocity(y.data());
+    return points.energy_and_power(system.relaxation(),
+                                   u.data(),
+                                   V.data(),
+                                   y.data() + system.layout().multiplier());
+  }
+
   /** All energies: kinetic of fluid and solid, of compression, elastic, and
    * that of the multiplier (J). */
   double
@@ -133,16 +145,10 @@ struct CoupledCase
     const auto &at              = system.layout();
     const std::vector<double> X = system.solid_positions(y.data());
     const std::vector<double> V = system.solid_velocities(y.data());
-    const std::vector<double> u = system.local_velocity(y.data());
     return fluid.kinetic_energy(y.data() + at.velocity()) +
       fluid.acoustic_energy(y.data() + at.pressure()) +
       solid.kinetic_energy(V.data()) + solid.elastic_energy(X.data()) +
-      points
-        .energy_and_power(system.relaxation(),
-                          u.data(),
-                          V.data(),
-                          y.data() + at.multiplier())
-        .energy;
+      coupling().energy;
   }
 
   /** Flow (m^3/s) out of the box through a side. */
