@@ -345,6 +345,8 @@ namespace coapt
     if (!last.plane_flow.empty())
       result.set("planes", plane_figures());
     result.set("bulging_volume_mL", last.bulging_volume / millilitre);
+    result.set("bulging_by_distance_mL",
+               monitor.bulging_by_distance() / millilitre);
     result.set("coaptation_area_mm2", belt.area / square_millimetre);
     result.set("coaptation_force_N", belt.force);
     result.set("contact_force_N", belt.contact_force);

@@ -44,6 +44,32 @@ namespace coapt
         }
       return inside;
     }
+
+    /** Sum over the facets inside the annulus of the mean of the positive part
+     * of @p height, a function of a point, times @p size of their area
+     * vectors. */
+    template <typename Height, typename Size>
+    double
+    sum_over_bulging_facets(
+      const std::vector<Point<3>> &annulus,
+      const std::vector<Point<3>> &points,
+      const std::vector<std::array<unsigned int, 3>> &triangles,
+      const Height &height,
+      const Size &size)
+    {
+      double sum = 0;
+      for (const auto &[a, b, c] : triangles)
+        {
+          const double mean = mean_positive_part(
+            {{height(points[a]), height(points[b]), height(points[c])}});
+          if (mean == 0)
+            continue;
+          const auto ab = points[b] - points[a], ac = points[c] - points[a];
+          if (is_inside(annulus, points[a] + (ab + ac) / 3.))
+            sum += mean * size(0.5 * cross_product_3d(ab, ac));
+        }
+      return sum;
+    }
   } // namespace
 
 
@@ -111,26 +137,72 @@ namespace coapt
 
 
   double
+  SpanningSurface::distance_above(const Point<3> &point) const
+  {
+    // The foot of the perpendicular, by Newton's method from the point below.
+    const double height = height_above(point);
+    Point<3> foot       = point;
+    dealii::Tensor<2, 2> hessian;
+    hessian[0][0] = 2 * coefficients[3] / (scale[0] * scale[0]);
+    hessian[1][1] = -2 * coefficients[3] / (scale[1] * scale[1]);
+    hessian[0][1] = hessian[1][0] = coefficients[4] / (scale[0] * scale[1]);
+    for (unsigned int iteration = 0; iteration < 8; ++iteration)
+      {
+        foot[2] -= height_above(foot);
+        const double xi  = (foot[0] - center[0]) / scale[0];
+        const double eta = (foot[1] - center[1]) / scale[1];
+        dealii::Tensor<1, 2> slope, residual;
+        slope[0] =
+          (coefficients[1] + 2 * coefficients[3] * xi + coefficients[4] * eta) /
+          scale[0];
+        slope[1] =
+          (coefficients[2] - 2 * coefficients[3] * eta + coefficients[4] * xi) /
+          scale[1];
+        dealii::Tensor<2, 2> jacobian = (foot[2] - point[2]) * hessian;
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            residual[d] = foot[d] - point[d] + (foot[2] - point[2]) * slope[d];
+            jacobian[d][d] += 1;
+          }
+        jacobian += outer_product(slope, slope);
+        const dealii::Tensor<1, 2> step = invert(jacobian) * residual;
+        foot[0] -= step[0];
+        foot[1] -= step[1];
+      }
+    foot[2] -= height_above(foot);
+    return std::copysign(point.distance(foot), height);
+  }
+
+
+
+  double
   bulging_volume(const std::vector<Point<3>> &annulus,
                  const std::vector<Point<3>> &points,
                  const std::vector<std::array<unsigned int, 3>> &triangles)
   {
     const SpanningSurface surface(annulus);
-    double volume = 0;
-    for (const auto &[a, b, c] : triangles)
-      {
-        const double mean =
-          mean_positive_part({{surface.height_above(points[a]),
-                               surface.height_above(points[b]),
-                               surface.height_above(points[c])}});
-        if (mean == 0)
-          continue;
-        const auto ab = points[b] - points[a], ac = points[c] - points[a];
-        const Point<3> centroid(points[a] + (ab + ac) / 3.);
-        if (is_inside(annulus, centroid))
-          volume -= 0.5 * (ab[0] * ac[1] - ab[1] * ac[0]) * mean;
-      }
-    return volume;
+    return sum_over_bulging_facets(
+      annulus,
+      points,
+      triangles,
+      [&surface](const Point<3> &p) { return surface.height_above(p); },
+      [](const dealii::Tensor<1, 3> &area) { return -area[2]; });
+  }
+
+
+
+  double
+  bulging_by_distance(const std::vector<Point<3>> &annulus,
+                      const std::vector<Point<3>> &points,
+                      const std::vector<std::array<unsigned int, 3>> &triangles)
+  {
+    const SpanningSurface surface(annulus);
+    return sum_over_bulging_facets(
+      annulus,
+      points,
+      triangles,
+      [&surface](const Point<3> &p) { return surface.distance_above(p); },
+      [](const dealii::Tensor<1, 3> &area) { return area.norm(); });
   }
 
 

@@ -89,6 +89,14 @@ namespace coapt
 
 
 
+  double
+  LeafletMonitor::bulging_by_distance() const
+  {
+    return coapt::bulging_by_distance(annulus(), surface_points, valve.surface);
+  }
+
+
+
   std::function<bool(const Point<3> &)>
   LeafletMonitor::in_lumen() const
   {

@@ -114,6 +114,39 @@ namespace
           std::abs(surface.height_above(
             Point<3>(4e-3, -7e-3, saddle(4e-3, -7e-3)))) < 1e-12);
 
+    // Distance: exact from the saddle along its normal, and of a fold that
+    // leans over a plane, where each layer counts with all of its area.
+    {
+      const Point<3> foot(4e-3, -7e-3, saddle(4e-3, -7e-3));
+      const double d = 1e-6;
+      Tensor<1, 3> normal;
+      normal[0] =
+        -(saddle(4e-3 + d, -7e-3) - saddle(4e-3 - d, -7e-3)) / (2 * d);
+      normal[1] =
+        -(saddle(4e-3, -7e-3 + d) - saddle(4e-3, -7e-3 - d)) / (2 * d);
+      normal[2] = 1;
+      normal /= normal.norm();
+      check_relative("distance from the saddle",
+                     surface.distance_above(foot + 2e-3 * normal),
+                     2e-3,
+                     1e-8);
+      check_relative("and below it",
+                     surface.distance_above(foot - 1e-3 * normal),
+                     -1e-3,
+                     1e-8);
+    }
+    points    = {Point<3>(0, 0, 0),
+                 Point<3>(0, 3e-3, 0),
+                 Point<3>(3e-3, 0, 4e-3),
+                 Point<3>(3e-3, 3e-3, 4e-3)};
+    triangles = {{{0, 1, 2}}, {{1, 3, 2}}, {{0, 2, 1}}, {{1, 2, 3}}};
+    check_relative("two layers on each other, by distance",
+                   bulging_by_distance(annulus(flat), points, triangles),
+                   2 * 15e-6 * 2e-3,
+                   1e-9);
+    check("enclose no volume",
+          std::abs(bulging_volume(annulus(flat), points, triangles)) < 1e-20);
+
     // What is outside the annulus, or below the surface, does not count.
     ellipse(
       45,

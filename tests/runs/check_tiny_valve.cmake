@@ -56,7 +56,7 @@ endfunction()
 function(check_summary file)
   file(READ ${file} text)
   foreach(key sealed closing_time_s leak_mL_per_s flow_peak_mL_per_s closing_volume_mL
-      bulging_volume_mL coaptation_area_mm2 coaptation_force_N contact_force_N
+      bulging_volume_mL bulging_by_distance_mL work_of_adaptation_relative coaptation_area_mm2 coaptation_force_N contact_force_N
       coaptation_pressure_max_kPa leak_through_tissue_mL_per_s leak_through_gaps_mL_per_s
       leak_drained_mL_per_s regurgitant_volume_mL
       orifice planes segments gaps regions annulus_force_N annulus_force_z_N reynolds_peak stress_mean_kPa strain_mean fluid_cells solid_tets

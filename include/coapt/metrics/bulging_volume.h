@@ -29,6 +29,11 @@ namespace coapt
     double
     height_above(const dealii::Point<3> &point) const;
 
+    /** Shortest distance of @p point from the surface (m), positive above
+     * it. */
+    double
+    distance_above(const dealii::Point<3> &point) const;
+
   private:
     std::array<double, 5>
     basis(const dealii::Point<3> &point) const;
@@ -54,7 +59,21 @@ namespace coapt
                  const std::vector<dealii::Point<3>> &points,
                  const std::vector<std::array<unsigned int, 3>> &triangles);
 
-  /** The same for each Region alone; @p regions are those of the triangles. */
+  /**
+   * Bulging as the thesis of Khaledian (2023) measures it (m^3): the sum over
+   * the facets of the shortest distance from the surface times the facet's own
+   * area, where the distance is positive. It exceeds the volume where leaflets
+   * are steep, and counts each layer of a fold. Arguments, and what counts, as
+   * for bulging_volume().
+   */
+  double
+  bulging_by_distance(
+    const std::vector<dealii::Point<3>> &annulus,
+    const std::vector<dealii::Point<3>> &points,
+    const std::vector<std::array<unsigned int, 3>> &triangles);
+
+  /** bulging_volume() of each Region alone; @p regions are those of the
+   * triangles. */
   std::array<double, n_regions>
   bulging_by_region(const std::vector<dealii::Point<3>> &annulus,
                     const std::vector<dealii::Point<3>> &points,

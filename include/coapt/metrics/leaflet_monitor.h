@@ -139,6 +139,11 @@ namespace coapt
     std::array<double, n_regions>
     bulging_by_region() const;
 
+    /** Bulging as the reference work measures it (bulging_by_distance(),
+     * m^3). */
+    double
+    bulging_by_distance() const;
+
     /** Largest tension of a chorda in each class so far. */
     const ChordaePeaks &
     chordae_peaks() const

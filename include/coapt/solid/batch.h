@@ -38,9 +38,13 @@ namespace coapt
   inline Batch
   square_root(const Batch &x)
   {
+#ifdef __AVX512F__
+    return (Batch)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);
+#else
     Batch result = x;
     internal::square_roots(result);
     return result;
+#endif
   }
 
   /** Exponential function. */
@@ -116,6 +120,24 @@ namespace coapt
   larger(const Number &x, const Number &y)
   {
     return x > y ? x : y;
+  }
+
+  /** Whether @p x is at most @p bound; no NaN is. */
+  inline bool
+  none_above(const double x, const double bound)
+  {
+    return x <= bound;
+  }
+
+  /** Whether every entry is at most that of @p bound; no NaN is. */
+  inline bool
+  none_above(const Batch &x, const Batch &bound)
+  {
+    const auto below = x <= bound;
+    bool all         = true;
+    for (unsigned int i = 0; i < batch_size; ++i)
+      all = all && below[i];
+    return all;
   }
 
   /** Absolute value. */

@@ -106,7 +106,8 @@ namespace coapt
    * sets the columns of @p vectors to the orthonormal eigenvectors. Cyclic
    * Jacobi rotations, which need no branch and are exact to round-off also
    * where eigenvalues coincide (Golub and Van Loan, Matrix Computations,
-   * section 8.5); five sweeps suffice for a 3 x 3 matrix.
+   * section 8.5). They end when what is off the diagonal is round-off, which
+   * takes three or four sweeps of a 3 x 3 matrix, five at most.
    */
   template <typename Number>
   inline void
@@ -115,7 +116,14 @@ namespace coapt
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         vectors[i][j] = Number{} + (i == j ? 1. : 0.);
-    for (int sweep = 0; sweep < 5; ++sweep)
+    const auto off_diagonal = [&A] {
+      return A[0][1] * A[0][1] + A[0][2] * A[0][2] + A[1][2] * A[1][2];
+    };
+    const Number round_off = 1e-32 *
+      (A[0][0] * A[0][0] + A[1][1] * A[1][1] + A[2][2] * A[2][2] +
+       2. * off_diagonal());
+    for (int sweep = 0; sweep < 5 && !none_above(off_diagonal(), round_off);
+         ++sweep)
       for (int r = 0; r < 3; ++r)
         {
           const int p = (r == 2 ? 1 : 0), q = (r == 0 ? 1 : 2), o = 3 - p - q;

@@ -182,12 +182,14 @@ namespace coapt
     principal(const State<Number> &s, Number *stress, Number *slope) const
     {
       for (int k = 0; k < 3; ++k)
+        stress[k] = slope[k] = Number{};
+      for (unsigned int i = 0; i < mu.size(); ++i)
         {
-          stress[k] = slope[k] = Number{};
-          for (unsigned int i = 0; i < mu.size(); ++i)
+          const double factor = weight(i) * alpha[i];
+          for (int k = 0; k < 3; ++k)
             {
-              const Number term = weight(i) * alpha[i] *
-                exponential(alpha[i] * s.logarithm_of_stretch[k]);
+              const Number term =
+                factor * exponential(alpha[i] * s.logarithm_of_stretch[k]);
               stress[k] += term;
               slope[k] += alpha[i] * term;
             }
