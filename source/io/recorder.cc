@@ -1,27 +1,13 @@
 #include <deal.II/base/mpi.h>
 
-#include <coapt/base/exceptions.h>
 #include <coapt/base/first_rank.h>
 #include <coapt/io/recorder.h>
+#include <coapt/io/valve_warnings.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace coapt
 {
-  namespace
-  {
-    std::string
-    text(const double value, const std::string &unit)
-    {
-      char buffer[64];
-      std::snprintf(buffer, sizeof(buffer), "%.3g %s", value, unit.c_str());
-      return buffer;
-    }
-  } // namespace
-
-
-
   Recorder::Recorder(const RunParameters &parameters,
                      const OutputFolder &folder,
                      const ValveStructure &valve,
@@ -101,11 +87,12 @@ namespace coapt
   void
   Recorder::warn(const ValveSample &sample) const
   {
-    if (sample.min_gap < -0.5 * valve.parameters.valve.thickness)
-      log.warn("penetration",
-               "the leaflet penetrates itself by " +
-                 text(-1e3 * sample.min_gap, "mm") +
-                 ", more than half its thickness");
+    const ModelParameters &parameters = valve.parameters;
+    for (const ValveWarning &warning :
+         valve_warnings(sample,
+                        parameters.valve.thickness,
+                        in_blood ? parameters.mesh.finest_cell() : 0.))
+      log.warn(warning.key, warning.text);
   }
 
 
@@ -188,46 +175,6 @@ namespace coapt
     write_leaflet(t,
                   model.system->solid_positions(y),
                   model.system->solid_velocities(y));
-  }
-
-
-
-  void
-  ValveRecorder::warn(const ValveSample &sample) const
-  {
-    Recorder::warn(sample);
-    if (sample.point_spacing > 0.9)
-      log.warn("stretched points",
-               "coupling points are " + text(sample.point_spacing, "cells") +
-                 " apart in the stretched leaflet (above 0.9 it leaks)");
-    // Replicated positions: all ranks stop alike.
-    if (sample.point_spacing >= 1.4)
-      throw NumericalError("coupling points are " +
-                           text(sample.point_spacing, "cells") +
-                           " apart in the stretched leaflet (1.4 and more is "
-                           "unstable)");
-    if (sample.path_width < 0.5 * model.parameters.mesh.finest_cell())
-      warn_of_unrest(sample);
-  }
-
-
-
-  void
-  ValveRecorder::warn_of_unrest(const ValveSample &sample) const
-  {
-    if (sample.checkerboard_rms > 10)
-      log.warn("checkerboard",
-               "alternating pressures away from the leaflet reach " +
-                 text(sample.checkerboard_rms, "Pa") + " (rms; above 10 Pa)");
-    if (sample.hourglass_rms > 1e-3)
-      log.warn("hourglass",
-               "alternating velocities away from the leaflet reach " +
-                 text(1e3 * sample.hourglass_rms, "mm/s") +
-                 " (rms; above 1 mm/s)");
-    if (sample.largest_velocity > 1)
-      log.warn("jet",
-               "velocities reach " + text(sample.largest_velocity, "m/s") +
-                 " in a valve that is shut: a gap at an edge or hinge?");
   }
 
 

@@ -62,10 +62,6 @@ namespace coapt
     virtual ValveSample
     sample(const double t, const double *y) = 0;
 
-    /** Warns of what is wrong with a state. */
-    virtual void
-    warn(const ValveSample &sample) const;
-
     /** Writes leaflet and chordae with the nodal positions @p X and velocities
      * @p V. Collective. */
     void
@@ -78,6 +74,10 @@ namespace coapt
     FieldsWriter fields;
 
   private:
+    /** Warns of what is wrong with a state. */
+    void
+    warn(const ValveSample &sample) const;
+
     const ValveStructure &valve;
     const LeafletMonitor &monitor;
     const bool in_blood;
@@ -109,15 +109,7 @@ namespace coapt
     ValveSample
     sample(const double t, const double *y) override;
 
-    void
-    warn(const ValveSample &sample) const override;
-
   private:
-    /** Warns of noise that does not belong into a valve that is shut; before,
-     * the flow itself alternates on coarse cells. */
-    void
-    warn_of_unrest(const ValveSample &sample) const;
-
     const ValveModel &model;
     ValveMonitor &monitor;
     std::unique_ptr<SurfaceLoadFile> surface_load;
