@@ -9,6 +9,9 @@ BEGIN {
 
 /^ *set Task *=/ { print "\n## Task " $NF }
 
+# deal.II's heading
+/^# Listing of Parameters/ || /^# -+$/ { next }
+
 /^ *#/ {
   sub(/^ *# ?/, "")
   text = text (text == "" ? "" : " ") $0
