@@ -38,14 +38,12 @@ namespace coapt
   {
     const std::string folder =
       std::filesystem::path(file).parent_path().string();
-    with_file_name(file, [&]() {
-      if (parameters.dimension == 2)
-        plane_study = std::make_unique<RefinementStudy<2>>(
-          parameters, *prm, folder, log, communicator);
-      else
-        space_study = std::make_unique<RefinementStudy<3>>(
-          parameters, *prm, folder, log, communicator);
-    });
+    if (parameters.dimension == 2)
+      plane_study = std::make_unique<RefinementStudy<2>>(
+        parameters, *prm, folder, log, communicator);
+    else
+      space_study = std::make_unique<RefinementStudy<3>>(
+        parameters, *prm, folder, log, communicator);
   }
 
 

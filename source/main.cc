@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <coapt/base/exceptions.h>
+#include <coapt/base/parameter_file.h>
 #include <coapt/base/version.h>
 #include <coapt/io/command_line.h>
 #include <coapt/io/console.h>
@@ -27,10 +28,11 @@ namespace
     task->declare_parameters(prm);
     const RunParameters &run = task->read(command.file, prm);
     if (command.action == CommandLine::Action::preview)
-      return task->preview(log, communicator);
+      return with_file_name(command.file,
+                            [&]() { task->preview(log, communicator); });
 
     const OutputFolder folder(run.output_folder, run.overwrite, communicator);
-    task->build(log, communicator);
+    with_file_name(command.file, [&]() { task->build(log, communicator); });
     if (command.action == CommandLine::Action::check)
       {
         log.line(command.file + ": ok");

@@ -104,7 +104,16 @@ namespace coapt
            !parameters.run.is_over(integrator.time(), integrator.n_steps()))
       {
         prepare_step(recorder);
-        integrator.step(step_control.step(until - integrator.time()));
+        const double dt = step_control.step(until - integrator.time());
+        try
+          {
+            integrator.step(dt);
+          }
+        catch (const NumericalError &error)
+          {
+            // Positions, where contact finds out, are the same on all ranks.
+            stop(recorder, error.what());
+          }
       }
   }
 
@@ -116,7 +125,15 @@ namespace coapt
     if (integrator.n_steps() % parameters.step.interval == 0)
       {
         check_finite(recorder);
-        update_step_limits();
+        try
+          {
+            update_step_limits();
+          }
+        catch (const NumericalError &error)
+          {
+            // Values that are still finite, but not their powers.
+            stop(recorder, std::string(error.what()) + ", which is not finite");
+          }
       }
     if (integrator.n_steps() % parameters.step.sampling == 0)
       {
@@ -153,12 +170,19 @@ namespace coapt
         last_finite_time  = integrator.time();
         return;
       }
+    stop(recorder, "the leaflets' positions are not finite");
+  }
+
+
+
+  void
+  StructureSimulation::stop(Recorder &recorder, const std::string &reason)
+  {
     if (!last_finite_state.empty())
       recorder.write_fields(last_finite_time, last_finite_state.data());
-    throw NumericalError("the leaflets' positions are not finite at t = " +
-                         std::to_string(integrator.time()) +
-                         " s; the step was limited by the " +
-                         step_control.limiter());
+    throw NumericalError(
+      reason + " at t = " + std::to_string(integrator.time()) +
+      " s; the step was limited by the " + step_control.limiter());
   }
 
 

@@ -43,10 +43,8 @@ namespace coapt
         simulation = make_valve_run(parameters, log, communicator);
         return;
       }
-    with_file_name(file, [&]() {
-      study = std::make_unique<ValveStudy>(
-        parameters, varied, *prm, log, communicator);
-    });
+    study =
+      std::make_unique<ValveStudy>(parameters, varied, *prm, log, communicator);
   }
 
 

@@ -45,6 +45,10 @@ namespace coapt
     void
     check_finite(Recorder &recorder);
 
+    /** Writes the last finite fields and throws. */
+    [[noreturn]] void
+    stop(Recorder &recorder, const std::string &reason);
+
     RunCost
     cost() const;
 

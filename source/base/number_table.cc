@@ -165,4 +165,16 @@ namespace coapt
   {
     return line_name(file, rows[i].line);
   }
+
+
+
+  int
+  NumberTable::whole_number(const unsigned int i, const unsigned int c) const
+  {
+    const double value = rows[i].values[c];
+    if (value != std::floor(value) || std::abs(value) >= 1e9)
+      throw InputError(place(i) + ": " + std::to_string(value) +
+                       " is not a whole number of less than ten digits");
+    return static_cast<int>(value);
+  }
 } // namespace coapt

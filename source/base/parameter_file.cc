@@ -4,6 +4,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <regex>
@@ -95,6 +96,8 @@ namespace coapt
                       const std::string &file,
                       const UnknownEntries unknown)
   {
+    if (std::filesystem::is_directory(file))
+      throw InputError(file + ": is a folder, expected is a parameter file");
     std::ifstream stream(file);
     if (!stream)
       throw InputError(file + ": cannot be opened (parameter file)");

@@ -282,9 +282,11 @@ namespace coapt
   std::string
   find_input_file(const std::string &name, const std::string &folder)
   {
-    for (const std::string &place : {folder, parameter_files_folder()})
-      if (!place.empty() && std::filesystem::exists(place + "/" + name))
-        return place + "/" + name;
+    namespace fs = std::filesystem;
+    // An empty folder is the current one, and an absolute name stays.
+    for (const fs::path place : {folder, parameter_files_folder()})
+      if (fs::exists(place / name))
+        return (place / name).string();
     return name;
   }
 } // namespace coapt

@@ -4,6 +4,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace coapt
@@ -76,6 +77,8 @@ namespace coapt
             names[i] == "Output/Folder" || names[i] == "Task")
           throw InputError("Study/Parameter names '" + names[i] +
                            "', which cannot be varied");
+        if (std::count(names.begin(), names.end(), names[i]) > 1)
+          throw InputError("Study/Parameter names '" + names[i] + "' twice");
         parameters.push_back({names[i], split_string_list(lists[i], ',')});
         const auto n_values = parameters.back().values.size();
         if (n_values != n_runs() || n_values == 0)

@@ -19,7 +19,7 @@ namespace coapt
                       std::to_string(defaults.damping_ratio),
                       Double(0, 2),
                       "Damping of each chorda relative to the critical one of "
-                      "the mass that it holds (no unit).");
+                      "the mass that it holds (-).");
     prm.leave_subsection();
   }
 

@@ -173,6 +173,11 @@ namespace coapt
           {
             refuse("'" + entry + "' is not a pair of numbers");
           }
+        if (!std::isfinite(table.back().gap) ||
+            !std::isfinite(table.back().pressure))
+          refuse("'" + entry + "' is not finite");
+        if (table[0].gap > 10e-3)
+          refuse("gaps must be at most 10 mm");
         if (table.size() == 1 && table[0].pressure != 0)
           refuse("must begin with a pressure of zero");
         if (table.size() > 1 &&

@@ -459,7 +459,6 @@ namespace coapt
             columns.pressure_impulse[c] +=
               sum[pressure] / columns.current_area[c];
             result.normal_force += 0.5 * sum[pressure] / dt;
-            result.area += columns.current_area[c];
           }
         const Tensor<1, 3> normal     = vector_at(sum + normal_impulse);
         const Tensor<1, 3> tangential = vector_at(sum + tangential_impulse);
@@ -469,8 +468,6 @@ namespace coapt
         result.normal_power += work[0] / dt;
         result.friction_power += work[1] / dt;
       }
-    result.max_penetration =
-      std::max(0., parameters.clearance - result.min_gap);
     result.pairs = static_cast<unsigned int>(sums.back());
     return result;
   }

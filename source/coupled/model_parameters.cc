@@ -55,6 +55,7 @@ namespace coapt
     EndParameters::declare_parameters(prm);
     ValveParameters::declare_parameters(prm);
     ImportParameters::declare_parameters(prm);
+    ChordaeParameters::declare_parameters(prm);
     SolidParameters::declare_parameters(prm);
     ImmersionParameters::declare_parameters(prm);
     ContactParameters::declare_parameters(prm);
@@ -73,6 +74,7 @@ namespace coapt
     ends.parse_parameters(prm);
     valve.parse_parameters(prm);
     import.parse_parameters(prm);
+    chordae.parse_parameters(prm);
     if (!import.is_wanted)
       valve.check();
     solid.parse_parameters(prm);

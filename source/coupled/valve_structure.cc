@@ -101,7 +101,9 @@ namespace coapt
                                                leaflet.chordae_mass))
     , chordae(std::make_unique<ChordaeNetwork>(
         make_chordae(parameters, imported.get(), leaflet, solid->mass()),
-        solid->mass()))
+        solid->mass(),
+        parameters.chordae.ramp_time,
+        parameters.chordae.damping_ratio))
     , contact(
         std::make_unique<MidSurfaceContact>(leaflet,
                                             solid->mass(),

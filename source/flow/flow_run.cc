@@ -129,6 +129,7 @@ namespace coapt
 
     if (bodies)
       bodies->begin_step(step_control.step(to.end_time));
+    n_cells = model.fluid().n_active_cells();
     integrator.start(0., state);
     record();
     const auto is_over = [&]() {
@@ -335,7 +336,7 @@ namespace coapt
                   end,
                   step_control.step(1e9),
                   largest_velocity,
-                  model.fluid().n_owned_cells(),
+                  n_cells,
                   integrator.n_steps() / wall_time(),
                   Console::duration(wall_time() * (end - t) / t).c_str());
     log.line(text);
@@ -400,7 +401,7 @@ namespace coapt
   FlowRun<dim>::result() const
   {
     FlowResult result;
-    result.cells        = model.fluid().n_active_cells();
+    result.cells        = n_cells;
     result.cell_size    = model.cell_size();
     result.steps        = integrator.n_steps();
     result.wall_seconds = wall_time();

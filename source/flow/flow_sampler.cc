@@ -136,7 +136,7 @@ namespace coapt
         for (double word; words >> word;)
           row.push_back(word);
         if (row.size() != dim + 2 || !words.eof() || row[dim] < 0 ||
-            row[dim] >= dim)
+            row[dim] >= dim || row[dim] != std::floor(row[dim]))
           throw InputError(file + ", line " + std::to_string(number) +
                            ": expected are " + std::to_string(dim) +
                            " coordinates, a component from 0 and a value");
@@ -147,6 +147,8 @@ namespace coapt
         value.value     = row[dim + 1];
         result.push_back(value);
       }
+    if (result.empty())
+      throw InputError(file + ": no values (Flow/Reference values)");
     return result;
   }
 

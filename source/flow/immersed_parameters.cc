@@ -83,6 +83,12 @@ namespace coapt
       body.bow = prm.get_double("Bow");
       if (body.begin == body.end)
         throw InputError(section + "/Begin and End are the same point");
+      if (!body.thickness_direction.empty() &&
+          (body.end[0] - body.begin[0]) * body.thickness_direction[1] ==
+            (body.end[1] - body.begin[1]) * body.thickness_direction[0])
+        throw InputError(section + "/Thickness direction is '" +
+                         prm.get("Thickness direction") +
+                         "', it must not be zero nor point from Begin to End");
       return body;
     }
   } // namespace

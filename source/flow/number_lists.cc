@@ -2,6 +2,9 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace coapt
 {
   using dealii::Utilities::split_string_list;
@@ -11,13 +14,19 @@ namespace coapt
   {
     try
       {
-        return dealii::Utilities::string_to_double(split_string_list(list));
+        const auto numbers =
+          dealii::Utilities::string_to_double(split_string_list(list));
+        if (std::all_of(numbers.begin(), numbers.end(), [](const double x) {
+              return std::isfinite(x);
+            }))
+          return numbers;
       }
     catch (const std::exception &)
       {
-        throw InputError(name + " contains '" + list +
-                         "', expected are numbers separated by commas");
+        // refused below
       }
+    throw InputError(name + " contains '" + list +
+                     "', expected are numbers separated by commas");
   }
 
 

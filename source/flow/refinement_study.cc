@@ -1,4 +1,5 @@
 #include <coapt/base/exceptions.h>
+#include <coapt/base/time_table.h>
 #include <coapt/flow/refinement_study.h>
 
 #include <cmath>
@@ -27,10 +28,8 @@ namespace coapt
     : parameters(parameters), log(log), communicator(communicator)
   {
     if (!parameters.reference_values.empty())
-      reference = read_reference_values<dim>(folder_of_file.empty()
-                                               ? parameters.reference_values
-                                               : folder_of_file + "/" +
-                                                 parameters.reference_values);
+      reference = read_reference_values<dim>(
+        find_input_file(parameters.reference_values, folder_of_file));
     if (parameters.varied.n_runs() == 0)
       for (const unsigned int level : parameters.refinements)
         cases.push_back({"level " + std::to_string(level),

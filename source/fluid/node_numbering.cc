@@ -8,6 +8,7 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace coapt
 {
@@ -95,9 +96,9 @@ namespace coapt
               partitioner.local_to_global(i));
             if (row != nullptr && row->size() != 2 &&
                 row->size() != max_masters)
-              throw NumericalError("A hanging node has " +
-                                   std::to_string(row->size()) +
-                                   " masters: the octree is not balanced.");
+              throw std::runtime_error("A hanging node has " +
+                                       std::to_string(row->size()) +
+                                       " masters: the octree is not balanced.");
             column[i] = (row != nullptr && m < row->size())
               ? static_cast<double>((*row)[m].first)
               : -1.;

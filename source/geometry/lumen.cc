@@ -68,10 +68,6 @@ namespace coapt
   LumenParameters::declare_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Lumen");
-    prm.declare_entry("Type",
-                      "fitted tube",
-                      Patterns::Selection("fitted tube"),
-                      "The outline of the annulus, extruded along the axis.");
     prm.declare_entry("Inset",
                       "0.75",
                       Patterns::Double(0, 20),

@@ -151,12 +151,13 @@ namespace coapt
        &P::n_circumferential,
        8,
        2000,
-       "Number of elements around the valve; even."},
+       "Number of elements around the valve (-), even; a multiple of 8 with "
+       "elements of ten nodes."},
       {"Elements along the height",
        &P::n_radial,
        2,
        500,
-       "Number of elements from the annulus to the free edge."},
+       "Number of elements from the annulus to the free edge (-)."},
       {"Layers",
        &P::n_layers,
        1,
@@ -167,7 +168,7 @@ namespace coapt
        &P::n_root_rows,
        1,
        20,
-       "Number of elements along the root."}};
+       "Number of elements along the root (-)."}};
 
     const RealEntry chordae_entries[] = {
       {"Coaptation depth",

@@ -78,7 +78,7 @@ namespace coapt
                       "1",
                       Double(0.5, 2),
                       "Lengths at which chordae begin to pull, over their "
-                      "lengths in the file (no unit).");
+                      "lengths in the file (-).");
     prm.leave_subsection();
   }
 

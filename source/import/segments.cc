@@ -54,6 +54,10 @@ namespace coapt
           std::to_string(x.distance(vertices[vertex]) / units::millimetre) +
           " mm away from vertex " + std::to_string(int(vertex)) +
           "; allowed are 2 mm");
+      if (end.node[row] != std::floor(end.node[row]) ||
+          std::abs(end.node[row]) >= 1e9)
+        throw InputError(place + ": node " + std::to_string(end.node[row]) +
+                         " is not a whole number of less than ten digits");
       const auto [node, is_new] =
         result.nodes.try_emplace(std::lround(end.node[row]));
       if (is_new)

@@ -3,9 +3,12 @@
 #include <coapt/base/first_rank.h>
 #include <coapt/io/output_folder.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <vector>
 
 namespace coapt
 {
@@ -13,7 +16,7 @@ namespace coapt
   {
     namespace fs = std::filesystem;
 
-    // what a run leaves in its folder, beside the fields
+    // what tells a run's folder
     const std::array<const char *, 6> result_files = {
       {"coapt.log",
        "statistics.csv",
@@ -40,18 +43,48 @@ namespace coapt
       return "";
     }
 
+    /** Whether a file of this name is one that a run leaves in its folder. */
+    bool
+    is_result(const std::string &name)
+    {
+      static const std::regex others(
+        "(chordae|contact_map|coaptation|sections|pressure_distribution|"
+        "surface_load|quasi_static|dynamic|profile_\\d+|fit_.*)\\.csv|"
+        "contact_map\\.vtu|material_.*\\.prm|report\\.html");
+      return std::find(result_files.begin(), result_files.end(), name) !=
+        result_files.end() ||
+        std::regex_match(name, others);
+    }
+
+    /** Removes what an earlier run has left, with the folders of the runs of a
+     * study if nothing else is in them. */
     void
     remove_earlier_results(const std::string &path)
     {
-      for (const std::string name : result_files)
-        fs::remove(path + "/" + name);
-      for (const auto &entry : fs::directory_iterator(path + "/fields"))
-        {
-          const auto extension = entry.path().extension();
-          if (extension == ".vtu" || extension == ".pvtu" ||
-              extension == ".pvd")
-            fs::remove(entry.path());
-        }
+      static const std::regex run_folder("run_\\d+");
+      // a copy, since entries go while it is read
+      std::vector<fs::path> entries;
+      for (const auto &entry : fs::directory_iterator(path))
+        entries.push_back(entry.path());
+      for (const fs::path &entry : entries)
+        if (!fs::is_directory(entry) && is_result(entry.filename().string()))
+          fs::remove(entry);
+        else if (fs::is_directory(entry) &&
+                 std::regex_match(entry.filename().string(), run_folder))
+          {
+            remove_earlier_results(entry.string());
+            std::error_code not_empty;
+            fs::remove(entry / "fields", not_empty);
+            fs::remove(entry, not_empty);
+          }
+      if (fs::is_directory(path + "/fields"))
+        for (const auto &entry : fs::directory_iterator(path + "/fields"))
+          {
+            const auto extension = entry.path().extension();
+            if (extension == ".vtu" || extension == ".pvtu" ||
+                extension == ".pvd")
+              fs::remove(entry.path());
+          }
     }
   } // namespace
 

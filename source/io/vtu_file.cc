@@ -42,7 +42,7 @@ namespace coapt
                     static_cast<const Bytef *>(data),
                     size,
                     Z_BEST_SPEED) != Z_OK)
-        throw NumericalError("zlib cannot compress the fields");
+        throw std::runtime_error("zlib cannot compress the fields");
       block.resize(length);
 
       const std::uint64_t header[4]  = {1, size, size, length};

@@ -22,7 +22,7 @@ namespace coapt
           throw InputError(table.place(i) + ": the stretches are " +
                            std::to_string(v[1]) + " and " +
                            std::to_string(v[2]) + ", both must be positive");
-        data.points.push_back({static_cast<int>(v[0]),
+        data.points.push_back({table.whole_number(i, 0),
                                {{v[1], v[2]}},
                                {{factor * v[3], factor * v[4]}}});
         loaded = loaded || v[3] != 0 || v[4] != 0;

@@ -25,7 +25,7 @@ namespace coapt
                            std::to_string(v[1]) + " and " +
                            std::to_string(v[2]) + ", both must be positive");
         result.states.push_back(
-          {static_cast<int>(v[0]), {{v[1], v[2]}}, table.place(i)});
+          {table.whole_number(i, 0), {{v[1], v[2]}}, table.place(i)});
       }
     return result;
   }

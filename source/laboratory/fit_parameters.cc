@@ -4,6 +4,8 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
+#include <cmath>
+
 namespace coapt
 {
   using namespace dealii;
@@ -108,6 +110,9 @@ namespace coapt
             throw InputError("Fit/Bounds: '" + entry +
                              "' is not name:lowest:highest");
           }
+        if (!std::isfinite(values[0]) || !std::isfinite(values[1]))
+          throw InputError("Fit/Bounds: in '" + entry +
+                           "' a value is not finite");
         if (!(values[0] < values[1]))
           throw InputError("Fit/Bounds: in '" + entry +
                            "' the lowest value is not below the highest");

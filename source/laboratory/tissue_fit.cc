@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace coapt
@@ -294,7 +295,9 @@ namespace coapt
           }
       }
     for (int k = 0; k < 3; ++k)
-      result.r_squared[k] = 1 - squares[k] / totals[k];
+      result.r_squared[k] = totals[k] > 0
+        ? 1 - squares[k] / totals[k]
+        : std::numeric_limits<double>::quiet_NaN(); // nothing to explain
     result.nmad = deviation / std::max(n_deviation, 1u);
   }
 

@@ -91,7 +91,6 @@ namespace coapt
         gap                = touches ? 0 : gap + 1;
         result.longest_gap = std::max(result.longest_gap, gap);
         result.mean_height += line_height / of_leaflet.size();
-        result.max_height = std::max(result.max_height, line_height);
       }
     const std::vector<unsigned int> way =
       graph.way(of_leaflet, coapts, reference);
@@ -109,7 +108,6 @@ namespace coapt
                        const std::vector<double> &total_traction,
                        const std::vector<double> &area) const
   {
-    const std::vector<double> contact  = average(contact_pressure, gap, area);
     const std::vector<double> traction = average(total_traction, gap, area);
     const std::vector<bool> coapts     = coapting(gap, total_traction, area);
     CoaptationResult result;
@@ -121,8 +119,6 @@ namespace coapt
         result.force += 0.5 * area[c] * total_traction[c];
         result.contact_force += 0.5 * area[c] * contact_pressure[c];
         result.max_traction = std::max(result.max_traction, traction[c]);
-        result.max_contact_pressure =
-          std::max(result.max_contact_pressure, contact[c]);
       }
     if (result.force > 0)
       result.contact_fraction = result.contact_force / result.force;

@@ -89,13 +89,13 @@ namespace coapt
     prm.declare_entry("Distortion threshold",
                       std::to_string(defaults.distortion_threshold),
                       Double(1e-3, 0.9),
-                      "Smallest principal stretch, relative to the mesh (no "
-                      "unit), below which a cell counts as distorted. The "
+                      "Smallest principal stretch, relative to the mesh "
+                      "(-), below which a cell counts as distorted. The "
                       "summary says how many did.");
     prm.declare_entry("Examined stretches",
                       "",
                       List(Double(0.01, 100), 0, 2),
-                      "Smallest and largest stretch (no unit) in the tangent "
+                      "Smallest and largest stretch (-) in the tangent "
                       "plane between which the material is examined: a "
                       "warning names the state where its tangent loses "
                       "positivity. Empty: none.");

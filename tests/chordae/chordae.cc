@@ -96,7 +96,7 @@ check_taut()
 {
   Chorda chorda               = make_chorda();
   const std::vector<double> X = positions(), rest(X.size(), 0.);
-  ChordaeNetwork probe({chorda}, masses());
+  ChordaeNetwork probe({chorda}, masses(), 0., 0.2);
   const Tensor<1, 3> arm = chorda.tip - probe.attachment_points(X.data())[0];
   const double l0        = arm.norm() / 1.02;
   chorda.rest_length     = l0;
@@ -192,7 +192,7 @@ check_ramp()
   const std::vector<double> rest(X.size(), 0.);
   const double length =
     (chorda.tip -
-     ChordaeNetwork({chorda}, masses()).attachment_points(X.data())[0])
+     ChordaeNetwork({chorda}, masses(), 0., 0.2).attachment_points(X.data())[0])
       .norm();
   chorda.open_length = length;
   chorda.rest_length = 0.95 * length;

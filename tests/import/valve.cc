@@ -257,7 +257,7 @@ namespace
                    1e-9);
 
     // The trunks pulled by 0.3 mm.
-    const ChordaeNetwork network(strings, tissue.mass(), 0.);
+    const ChordaeNetwork network(strings, tissue.mass(), 0., 0.2);
     std::vector<double> X, F;
     for (const auto &x : leaflet.mesh.points)
       X.insert(X.end(), {x[0], x[1], x[2]});

@@ -143,7 +143,7 @@ check_leaflet_and_chordae()
   chorda.tip                                            = Point<3>(0, 0, -2);
   chorda.nodes                                          = {0};
   chorda.weights                                        = {1.};
-  const ChordaeNetwork chordae({chorda}, std::vector<double>(4, 1.), 0.);
+  const ChordaeNetwork chordae({chorda}, std::vector<double>(4, 1.), 0., 0.2);
   writer.write_chordae(0., chordae, fields.X, std::vector<double>(12, 0.));
 
   MPI_Barrier(comm);

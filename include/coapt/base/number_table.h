@@ -40,6 +40,11 @@ namespace coapt
     /** Name of file and line of the row @p i. */
     std::string
     place(const unsigned int i) const;
+
+    /** The entry of row @p i and column @p c as a whole number. @throws
+     * InputError if it is none of less than ten digits. */
+    int
+    whole_number(const unsigned int i, const unsigned int c) const;
   };
 } // namespace coapt
 

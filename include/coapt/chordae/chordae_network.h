@@ -37,8 +37,8 @@ namespace coapt
      */
     ChordaeNetwork(const std::vector<Chorda> &chordae,
                    const std::vector<double> &nodal_mass,
-                   const double ramp_time     = 10e-3,
-                   const double damping_ratio = 0.2);
+                   const double ramp_time,
+                   const double damping_ratio);
 
     /**
      * Adds to @p F (N) the forces of the chordae at time @p t (s), positions

@@ -49,13 +49,11 @@ namespace coapt
     /** What happened in a step; the same on all ranks. */
     struct Result
     {
-      double normal_force    = 0;    // N, from one side to the other
-      double area            = 0;    // m^2, columns of both sides
-      double min_gap         = 1e-2; // m, distance minus thickness
-      double max_penetration = 0;    // m, clearance minus gap
-      double friction_power  = 0;    // W, work on the leaflet / step
-      double normal_power    = 0;    // W
-      unsigned int pairs     = 0;    // node against triangle
+      double normal_force   = 0;    // N, from one side to the other
+      double min_gap        = 1e-2; // m, distance minus thickness
+      double friction_power = 0;    // W, work on the leaflet / step
+      double normal_power   = 0;    // W
+      unsigned int pairs    = 0;    // node against triangle
     };
 
     /**

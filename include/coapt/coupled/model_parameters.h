@@ -1,6 +1,7 @@
 #ifndef coapt_coupled_model_parameters_h
 #define coapt_coupled_model_parameters_h
 
+#include <coapt/chordae/chordae_parameters.h>
 #include <coapt/contact/contact_parameters.h>
 #include <coapt/coupled/film_parameters.h>
 #include <coapt/coupled/mesh_parameters.h>
@@ -45,6 +46,7 @@ namespace coapt
     EndParameters ends;
     ValveParameters valve;
     ImportParameters import;
+    ChordaeParameters chordae;
     SolidParameters solid;
     ImmersionParameters coupling;
     ContactParameters contact;

@@ -126,6 +126,7 @@ namespace coapt
     ExplicitIntegrator integrator;
     StepControl step_control;
     std::vector<double> state;
+    unsigned int n_cells = 0; // of all ranks
     std::vector<double> times;
     std::vector<Row> rows;
     FlowErrors errors;

@@ -46,7 +46,7 @@ namespace coapt
                   const std::vector<double> &values);
     /** @} */
 
-    /** Writes the grid to @p file. Throws NumericalError if that fails. */
+    /** Writes the grid to @p file. Throws std::runtime_error if that fails. */
     void
     write(const std::string &file) const;
 

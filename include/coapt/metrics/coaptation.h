@@ -44,20 +44,19 @@ namespace coapt
      * zero exactly if the belt is continuous. */
     unsigned int missing_columns = 0;
 
-    /** Mean and largest height of the coapting part of a line (m), in the
-     * reference configuration. */
-    double mean_height = 0, max_height = 0;
+    /** Mean height of the coapting part of the lines (m), in the reference
+     * configuration. */
+    double mean_height = 0;
   };
 
   /** Coaptation of the whole valve. */
   struct CoaptationResult
   {
-    double area                 = 0; // m^2, of one side
-    double force                = 0; // N, total traction on one side
-    double contact_force        = 0; // N, the part that contact carries
-    double contact_fraction     = 0; // contact force over force
-    double max_traction         = 0; // Pa, of averaged total traction
-    double max_contact_pressure = 0; // Pa, averaged
+    double area             = 0; // m^2, of one side
+    double force            = 0; // N, total traction on one side
+    double contact_force    = 0; // N, the part that contact carries
+    double contact_fraction = 0; // contact force over force
+    double max_traction     = 0; // Pa, of averaged total traction
 
     LeafletCoaptation anterior, posterior;
 

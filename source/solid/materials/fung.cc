@@ -24,7 +24,7 @@ namespace coapt
     prm.declare_entry("b",
                       "12, 4, 0, 8, 0, 4",
                       dealii::Patterns::List(Double(), 6, 21),
-                      "Tensor b (no unit), of axes fibre (1), across it in the "
+                      "Tensor b (-), of axes fibre (1), across it in the "
                       "tangent plane (2) and normal (3): planar 1111, 1122, "
                       "1112, 2222, 2212, 1212; or in 3D 1111, 1122, 1133, "
                       "1112, 1113, 1123, 2222, 2233, 2212, 2213, 2223, 3333, "
@@ -39,7 +39,7 @@ namespace coapt
     prm.declare_entry("Exponential limit",
                       std::to_string(defaults.exponential_limit),
                       Double(1e-3, 100),
-                      "Value of the exponent (no unit) beyond which the "
+                      "Value of the exponent (-) beyond which the "
                       "exponential is continued by a parabola.");
     prm.declare_entry("Bulk modulus",
                       std::to_string(defaults.bulk),

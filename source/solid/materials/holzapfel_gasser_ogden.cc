@@ -29,22 +29,22 @@ namespace coapt
     prm.declare_entry("K2",
                       std::to_string(defaults.K2),
                       Double(1e-6, 1e6),
-                      "Exponent of the fibres (no unit).");
+                      "Exponent of the fibres (-).");
     prm.declare_entry("Dispersion",
                       std::to_string(defaults.kappa),
                       Double(),
-                      "Dispersion kappa of the fibres (no unit), from 0 (all "
+                      "Dispersion kappa of the fibres (-), from 0 (all "
                       "parallel) to 1/3 (isotropic).");
     prm.declare_entry("Exponential limit",
                       std::to_string(defaults.exponential_limit),
                       Double(1e-3, 10),
-                      "Value of the fibre strain E (no unit) beyond which the "
+                      "Value of the fibre strain E (-) beyond which the "
                       "fibre stress is continued by its tangent.");
     prm.declare_entry("Bulk factor",
                       std::to_string(defaults.bulk_factor),
                       Double(1e-3, 1e9),
-                      "Bulk modulus over the initial shear modulus 2 C10 (no "
-                      "unit). Below 100, the leaflet swells by several "
+                      "Bulk modulus over the initial shear modulus 2 C10 "
+                      "(-). Below 100, the leaflet swells by several "
                       "percent.");
     prm.declare_entry("Fibre angles",
                       "0",

@@ -21,12 +21,12 @@ namespace coapt
     prm.declare_entry("c1",
                       std::to_string(defaults.c1),
                       Double(0, 1e9),
-                      "Factor of (I1 - 3)^2 in the exponent (no unit).");
+                      "Factor of (I1 - 3)^2 in the exponent (-).");
     prm.declare_entry("c2",
                       std::to_string(defaults.c2),
                       Double(0, 1e9),
                       "Factor of the fourth power of the fibre's elongation "
-                      "in the exponent (no unit).");
+                      "in the exponent (-).");
     prm.declare_entry("C10",
                       std::to_string(defaults.C10),
                       Double(0, 1e12),
@@ -36,7 +36,7 @@ namespace coapt
     prm.declare_entry("Exponential limit",
                       std::to_string(defaults.exponential_limit),
                       Double(1e-3, 100),
-                      "Value of the exponent (no unit) beyond which the "
+                      "Value of the exponent (-) beyond which the "
                       "exponential is continued by a parabola.");
     prm.declare_entry("Bulk modulus",
                       std::to_string(defaults.bulk),

@@ -39,14 +39,14 @@ namespace coapt
     prm.declare_entry("Alpha",
                       "63.659, 9.471, 22.412",
                       List(Double(), 1),
-                      "Exponents alpha_i (no unit), as many as mu_i. To the "
+                      "Exponents alpha_i (-), as many as mu_i. To the "
                       "set -481836.3, 484166.6, 742.8 belong -19.4, -19.3, "
                       "-25.");
     prm.declare_entry("Bulk factor",
                       "200",
                       Double(1e-3, 1e9),
-                      "Bulk modulus over the initial shear modulus (no "
-                      "unit).");
+                      "Bulk modulus over the initial shear modulus "
+                      "(-).");
     prm.leave_subsection();
   }
 
