@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace coapt
 {
@@ -46,22 +47,24 @@ namespace coapt
     }
 
     /** Sum over the facets inside the annulus of the mean of the positive part
-     * of @p height, a function of a point, times @p size of their area
-     * vectors. */
-    template <typename Height, typename Size>
+     * of a @p height above the surface that spans it times a @p size of their
+     * area vectors. */
     double
     sum_over_bulging_facets(
       const std::vector<Point<3>> &annulus,
       const std::vector<Point<3>> &points,
       const std::vector<std::array<unsigned int, 3>> &triangles,
-      const Height &height,
-      const Size &size)
+      double (SpanningSurface::*height)(const Point<3> &) const,
+      const std::function<double(const dealii::Tensor<1, 3> &)> &size)
     {
+      const SpanningSurface surface(annulus);
       double sum = 0;
       for (const auto &[a, b, c] : triangles)
         {
-          const double mean = mean_positive_part(
-            {{height(points[a]), height(points[b]), height(points[c])}});
+          const double mean =
+            mean_positive_part({{(surface.*height)(points[a]),
+                                 (surface.*height)(points[b]),
+                                 (surface.*height)(points[c])}});
           if (mean == 0)
             continue;
           const auto ab = points[b] - points[a], ac = points[c] - points[a];
@@ -180,13 +183,13 @@ namespace coapt
                  const std::vector<Point<3>> &points,
                  const std::vector<std::array<unsigned int, 3>> &triangles)
   {
-    const SpanningSurface surface(annulus);
-    return sum_over_bulging_facets(
-      annulus,
-      points,
-      triangles,
-      [&surface](const Point<3> &p) { return surface.height_above(p); },
-      [](const dealii::Tensor<1, 3> &area) { return -area[2]; });
+    return sum_over_bulging_facets(annulus,
+                                   points,
+                                   triangles,
+                                   &SpanningSurface::height_above,
+                                   [](const dealii::Tensor<1, 3> &area) {
+                                     return -area[2];
+                                   });
   }
 
 
@@ -196,13 +199,13 @@ namespace coapt
                       const std::vector<Point<3>> &points,
                       const std::vector<std::array<unsigned int, 3>> &triangles)
   {
-    const SpanningSurface surface(annulus);
-    return sum_over_bulging_facets(
-      annulus,
-      points,
-      triangles,
-      [&surface](const Point<3> &p) { return surface.distance_above(p); },
-      [](const dealii::Tensor<1, 3> &area) { return area.norm(); });
+    return sum_over_bulging_facets(annulus,
+                                   points,
+                                   triangles,
+                                   &SpanningSurface::distance_above,
+                                   [](const dealii::Tensor<1, 3> &area) {
+                                     return area.norm();
+                                   });
   }
 
 
