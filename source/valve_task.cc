@@ -21,8 +21,7 @@ namespace coapt
   const RunParameters &
   ValveTask::read(const std::string &file, dealii::ParameterHandler &prm)
   {
-    this->file = file;
-    this->prm  = &prm;
+    this->prm = &prm;
     read_parameter_file(prm, file);
     with_file_name(file, [&]() {
       parameters.parse_parameters(prm);

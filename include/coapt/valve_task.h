@@ -36,7 +36,6 @@ namespace coapt
 
     SimulationParameters parameters;
     VariedParameters varied;
-    std::string file;
     dealii::ParameterHandler *prm = nullptr; // of read()
     // one of them
     std::unique_ptr<ValveRun> simulation;
