@@ -3,7 +3,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace coapt
@@ -22,12 +21,14 @@ namespace coapt
       gap                = 7,
       direction          = 8,  // vector
       partner            = 11, // number of a triangle, exact as a double
-      couple             = 12, // vector, of tangential impulses
-      n_slots            = 15
+      normal_couple      = 12, // vectors
+      tangential_couple  = 15,
+      n_slots            = 18
     };
 
-    /** Two directions are opposite if their cosine is below this. */
-    constexpr double opposite = -0.2;
+    /** Means over tributary areas are taken anew when a column has slid by this
+     * part of the spacing of columns. */
+    constexpr double renewed_after = 0.02;
 
     std::vector<unsigned int>
     columns_of_rank(const unsigned int n_columns, MPI_Comm communicator)
@@ -54,6 +55,15 @@ namespace coapt
       std::vector<Point<3>> points(surface.n_columns());
       surface.positions(X.data(), points);
       return points;
+    }
+
+    double
+    mean_spacing(const MidSurface &surface, const std::vector<Point<3>> &points)
+    {
+      std::vector<double> areas;
+      surface.areas(points, areas);
+      return std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.) /
+                       std::max(surface.n_columns(), 1u));
     }
 
     void
@@ -84,12 +94,20 @@ namespace coapt
     , surface(leaflet, nodal_mass)
     , rotation(surface)
     , own_columns(columns_of_rank(surface.n_columns(), communicator))
-    , search(reference_positions(surface, leaflet),
-             surface.triangles(),
-             parameters.exclusion_distance + parameters.clearance,
-             own_columns)
-    , rule(surface.triangles(), surface.n_columns())
     , points(reference_positions(surface, leaflet))
+    , spacing(mean_spacing(surface, points))
+    , areal_mass(density * std::min(thickness, spacing))
+    , reach(thickness + parameters.clearance +
+            0.25 * std::min(spacing, parameters.search_margin))
+    , rule(surface.triangles(), surface.n_columns())
+    , finder(points,
+             surface.triangles(),
+             rule,
+             own_columns,
+             parameters,
+             thickness + parameters.clearance,
+             reach)
+    , patches(surface.quadrilaterals(), surface.n_columns(), rule)
   {
     const unsigned int n = surface.n_columns();
     surface.areas(points, columns.reference_area);
@@ -98,15 +116,7 @@ namespace coapt
     columns.pressure_impulse.assign(n, 0.);
     columns.normals.resize(n);
     columns.partner.assign(n, no_partner);
-    least_distance.resize(own_columns.size());
-    histories.resize(own_columns.size());
-
-    const double spacing =
-      std::sqrt(std::accumulate(columns.reference_area.begin(),
-                                columns.reference_area.end(),
-                                0.) /
-                std::max(n, 1u));
-    areal_mass = density * std::min(thickness, spacing);
+    memories.resize(own_columns.size());
   }
 
 
@@ -145,112 +155,71 @@ namespace coapt
 
 
 
-  // Two columns approach by twice their displacement at most. Candidates are
-  // complete for all gaps to be reported while this is below half the margin;
-  // renewal before that only makes them fewer to look at.
-  void
-  MidSurfaceContact::renew_candidates()
+  MidSurfaceContact::Pair
+  MidSurfaceContact::pair_up(const unsigned int i,
+                             const Encounter &encounter,
+                             TributaryPatch &patch)
   {
-    displacement          = search.displacement(points);
-    const double approach = 2 * displacement / parameters.search_margin;
-    measure_all           = ++steps_since_check >= parameters.search_interval;
-    if (approach > 0.5 || (measure_all && approach > 0.1))
-      {
-        search.find(points,
-                    thickness + parameters.clearance +
-                      parameters.search_margin);
-        displacement = 0;
-        measure_all  = true;
-      }
-    if (measure_all)
-      steps_since_check = 0;
-  }
-
-
-
-  // The nearest triangle that faces the column, and the nearest one in the
-  // opposite direction if it is in contact, both within the distance given.
-  // Returns how many there are.
-  // Measured distances sharpen the bounds of the candidates, and the nearest
-  // one moves to the front, so that in the next step few others have to be
-  // measured.
-  unsigned int
-  MidSurfaceContact::find_encounters(const unsigned int i,
-                                     const double within,
-                                     Encounter (&encounters)[2])
-  {
-    const double onset        = thickness + parameters.clearance;
     const unsigned int column = own_columns[i];
-    auto &list                = search.candidates(i);
-    const double approach     = 2 * displacement;
-
-    touching.clear(); // any of these may turn out to be the opposite one
-    unsigned int n = 0;
-    double nearest = within;
-    double least   = std::numeric_limits<double>::max();
-    for (auto &candidate : list)
+    const double area         = columns.current_area[column];
+    Tensor<1, 3> slid;
+    if (patch.triangle != TributaryPatch::none)
+      slid = patches.slide(patch, points, column);
+    if (patch.triangle == TributaryPatch::none ||
+        slid.norm_square() > renewed_after * renewed_after * area)
       {
-        const bool measure =
-          candidate.least_distance - approach <= std::max(nearest, onset);
-        Encounter other;
-        if (measure)
-          {
-            other = rule.encounter(points, column, candidate.triangle);
-            candidate.least_distance =
-              std::max(candidate.least_distance, other.distance - approach);
-          }
-        least = std::min(least, candidate.least_distance);
-        if (measure && other.distance < onset)
-          touching.push_back(other);
-        if (measure && other.distance <= nearest &&
-            rule.faces(points, column, other))
-          {
-            nearest       = other.distance;
-            encounters[0] = other;
-            n             = 1;
-            std::swap(candidate, list.front());
-          }
+        slid = Tensor<1, 3>();
+        patches.update(patch, points, column, encounter, finder.neighbours(i));
       }
-    least_distance[i] = least;
-    nearest           = onset;
-    for (const Encounter &other : touching)
-      if (other.distance < nearest &&
-          other.normal * encounters[0].normal < opposite &&
-          rule.faces(points, column, other))
-        {
-          nearest       = other.distance;
-          encounters[1] = other;
-          n             = 2;
-        }
-    return n;
+
+    Tensor<1, 3> way;
+    for (const auto &part : patch.own)
+      way -= part.weight * points[part.column];
+    for (const auto &part : patch.partner)
+      way += part.weight * points[part.column];
+    Pair pair;
+    pair.patch  = &patch;
+    pair.area   = patch.fraction * area;
+    pair.arm    = 0.5 * way;
+    pair.normal = way + slid;
+    if (pair.area > 0 && pair.normal.norm_square() > 0)
+      pair.normal /= pair.normal.norm();
+    else
+      pair.normal = encounter.normal;
+    pair.distance = way * pair.normal;
+    return pair;
   }
 
 
 
-  // The reduced mass is that of the two points, or that of the sheets under the
-  // column's area if this is less: a coarse sheet under a fine one is pushed by
-  // several columns at once. The same goes for how a couple turns them.
+  // The reduced mass is that of what is pushed, or that of the sheets under the
+  // area if this is less: a coarse sheet under a fine one is pushed by several
+  // columns at once. The same goes for how a couple turns them.
   void
   MidSurfaceContact::find_masses(Pair &pair)
   {
-    const auto &area = columns.current_area;
-    double mass = 0, mass_by_area = 0, inertia = 0, inertia_by_area = 0;
-    for (unsigned int v = 0; v < 3; ++v)
+    double mass = 0, inertia = 0;
+    for (const auto *side : {&pair.patch->own, &pair.patch->partner})
       {
-        const unsigned int c = pair.corner[v];
-        const double w       = pair.encounter.weights[v];
-        const double share   = w * area[c] / area[pair.column];
-        mass += w * w * surface.inverse_mass(c);
-        mass_by_area += share * surface.inverse_mass(c);
-        inertia += w * w * rotation.inverse_inertia(c);
-        inertia_by_area += share * rotation.inverse_inertia(c);
+        double mass_at_once = 0, mass_by_area = 0, inertia_at_once = 0,
+               inertia_by_area = 0;
+        for (const auto &part : *side)
+          {
+            const double w = part.weight;
+            const double share =
+              w * columns.current_area[part.column] / pair.area;
+            const double m = surface.inverse_mass(part.column);
+            const double j = rotation.inverse_inertia(part.column);
+            mass_at_once += w * w * m;
+            mass_by_area += share * m;
+            inertia_at_once += w * w * j;
+            inertia_by_area += share * j;
+          }
+        mass += std::max(mass_at_once, mass_by_area);
+        inertia += std::max(inertia_at_once, inertia_by_area);
       }
-    pair.inverse_mass =
-      surface.inverse_mass(pair.column) + std::max(mass, mass_by_area);
-    pair.inverse_mass_along = pair.inverse_mass +
-      pair.arm.norm_square() *
-        (rotation.inverse_inertia(pair.column) +
-         std::max(inertia, inertia_by_area));
+    pair.inverse_mass       = mass;
+    pair.inverse_mass_along = mass + pair.arm.norm_square() * inertia;
   }
 
 
@@ -258,45 +227,46 @@ namespace coapt
   void
   MidSurfaceContact::find_velocities(Pair &pair)
   {
-    Tensor<1, 3> spin;
-    pair.velocity = -rotation.velocity(pair.column);
-    for (unsigned int v = 0; v < 3; ++v)
-      {
-        const double w = pair.encounter.weights[v];
-        pair.velocity += w * rotation.velocity(pair.corner[v]);
-        spin += w * rotation.spin(pair.corner[v]);
-      }
-    pair.spin    = 0.5 * (spin + rotation.spin(pair.column));
-    pair.opening = pair.velocity * pair.encounter.normal;
-    pair.sliding = pair.velocity - pair.opening * pair.encounter.normal -
-      2 * cross_product_3d(pair.spin, pair.arm);
+    pair.velocity       = Tensor<1, 3>();
+    pair.spin           = Tensor<1, 3>();
+    const auto add_side = [&](const std::vector<TributaryPatch::Part> &side,
+                              const double sign) {
+      for (const auto &part : side)
+        {
+          pair.velocity += sign * part.weight * rotation.velocity(part.column);
+          pair.spin += 0.5 * part.weight * rotation.spin(part.column);
+        }
+    };
+    add_side(pair.patch->own, -1.);
+    add_side(pair.patch->partner, 1.);
+    const Tensor<1, 3> facing =
+      pair.velocity - 2 * cross_product_3d(pair.spin, pair.arm);
+    pair.opening = facing * pair.normal;
+    pair.sliding = facing - pair.opening * pair.normal;
   }
 
 
 
   bool
-  MidSurfaceContact::add_impulse(const unsigned int column,
-                                 const Encounter &encounter,
+  MidSurfaceContact::add_impulse(Pair &pair,
                                  const double stiffness,
                                  const double dt,
                                  ElasticSlip<3> &history)
   {
-    Pair pair;
-    pair.column       = column;
-    pair.encounter    = encounter;
-    pair.corner       = surface.triangles()[encounter.triangle];
-    pair.arm          = 0.5 * encounter.distance * encounter.normal;
-    const double area = columns.current_area[column];
-    if (!(area > 0))
-      return false;
+    if (!(pair.area > 0) || pair.distance >= thickness + parameters.clearance)
+      {
+        history        = ElasticSlip<3>();
+        history.normal = pair.normal;
+        return false;
+      }
     find_masses(pair);
     if (!(pair.inverse_mass > 0))
       return false;
     find_velocities(pair);
 
-    const auto response = contact_pressure(encounter.distance - thickness,
+    const auto response = contact_pressure(pair.distance - thickness,
                                            pair.opening,
-                                           1 / (pair.inverse_mass * area),
+                                           1 / (pair.inverse_mass * pair.area),
                                            parameters,
                                            law,
                                            stiffness,
@@ -305,9 +275,9 @@ namespace coapt
     history.spin(dt * pair.spin);
     const Tensor<1, 3> shear =
       contact_shear<3>(response,
-                       encounter.normal,
+                       pair.normal,
                        pair.sliding,
-                       1 / (pair.inverse_mass_along * area),
+                       1 / (pair.inverse_mass_along * pair.area),
                        parameters,
                        dt,
                        history);
@@ -316,35 +286,37 @@ namespace coapt
 
     // Each of the two passes has half of the weight.
     distribute(pair,
-               0.5 * area * response.pressure * dt,
-               -0.5 * area * dt * shear);
+               0.5 * pair.area * response.pressure * dt,
+               -0.5 * pair.area * dt * shear);
     return true;
   }
 
 
 
-  // Normal impulses act on the line through column and partner, and need no
-  // couple to balance. Those along the surface act in the middle of the gap.
+  // Both sides meet in the middle between the means.
   void
   MidSurfaceContact::distribute(const Pair &pair,
                                 const double impulse,
                                 const Tensor<1, 3> &along)
   {
-    const Tensor<1, 3> moment = cross_product_3d(pair.arm, along);
-    const auto add_to         = [&](const unsigned int c, const double weight) {
-      double *sum = &sums[n_slots * c];
-      add(sum + normal_impulse, weight * impulse, pair.encounter.normal);
-      add(sum + tangential_impulse, weight, along);
-      sum[pressure] += std::abs(weight) * impulse;
+    const Tensor<1, 3> normal        = impulse * pair.normal;
+    const Tensor<1, 3> normal_moment = cross_product_3d(pair.arm, normal);
+    const Tensor<1, 3> moment        = cross_product_3d(pair.arm, along);
+    const auto add_side = [&](const std::vector<TributaryPatch::Part> &side,
+                              const double sign) {
+      for (const auto &part : side)
+        {
+          double *sum         = &sums[n_slots * part.column];
+          const double weight = sign * part.weight;
+          add(sum + normal_impulse, weight, normal);
+          add(sum + tangential_impulse, weight, along);
+          add(sum + normal_couple, -part.weight, normal_moment);
+          add(sum + tangential_couple, -part.weight, moment);
+          sum[pressure] += part.weight * impulse;
+        }
     };
-    add_to(pair.column, -1.);
-    add(&sums[n_slots * pair.column + couple], -1., moment);
-    for (unsigned int v = 0; v < 3; ++v)
-      {
-        const double weight = pair.encounter.weights[v];
-        add_to(pair.corner[v], weight);
-        add(&sums[n_slots * pair.corner[v] + couple], -weight, moment);
-      }
+    add_side(pair.patch->own, -1.);
+    add_side(pair.patch->partner, 1.);
   }
 
 
@@ -356,49 +328,51 @@ namespace coapt
   {
     const unsigned int c = own_columns[i];
     double *sum          = &sums[n_slots * c];
-    const double onset   = thickness + parameters.clearance;
-    // A gap that was in contact is known until it is found to be wider.
-    const bool measure = measure_all || columns.gap[c] < parameters.clearance;
+    // A gap within reach is known until it is found to be wider.
+    const bool measure =
+      finder.measures_all() || columns.gap[c] < reach - thickness;
     Encounter encounters[2];
-    unsigned int n = 0;
-    if (measure || least_distance[i] - 2 * displacement <= onset)
-      n = find_encounters(i,
-                          measure ? onset + 0.5 * parameters.search_margin
-                                  : onset,
-                          encounters);
+    unsigned int n = finder.find(i, measure, encounters);
     if (n == 0 && !measure)
       {
         sum[gap]     = columns.gap[c];
         sum[partner] = columns.partner[c];
         add(sum + direction, 1., columns.normals[c]);
-        histories[i] = {};
+        memories[i] = {};
         return;
       }
     sum[gap]     = n > 0 ? encounters[0].distance - thickness : no_gap;
     sum[partner] = n > 0 ? encounters[0].triangle : no_partner;
     if (n > 0)
       add(sum + direction, 1., encounters[0].normal);
-    std::array<ElasticSlip<3>, 2> now;
+    if (n > 0 && encounters[0].distance >= reach)
+      n = 0; // the second one is farther
+    sort_memories(i, encounters, n);
     for (unsigned int e = 0; e < n; ++e)
-      if (encounters[e].distance < onset)
-        {
-          now[e] = history_of(i, encounters[e].normal);
-          sums.back() += add_impulse(c, encounters[e], stiffness, dt, now[e]);
-        }
-    histories[i] = now;
+      {
+        Memory &memory = memories[i][e];
+        Pair pair      = pair_up(i, encounters[e], memory.patch);
+        sums.back() += add_impulse(pair, stiffness, dt, memory.history);
+      }
   }
 
 
 
   // The nearest partner and the opposite one may change places.
-  ElasticSlip<3>
-  MidSurfaceContact::history_of(const unsigned int i,
-                                const Tensor<1, 3> &normal) const
+  void
+  MidSurfaceContact::sort_memories(const unsigned int i,
+                                   const Encounter *encounters,
+                                   const unsigned int n)
   {
-    for (const ElasticSlip<3> &history : histories[i])
-      if (history.normal * normal > 0)
-        return history;
-    return ElasticSlip<3>();
+    auto &memory         = memories[i];
+    const auto continues = [&](const unsigned int m, const unsigned int e) {
+      return memory[m].history.normal * encounters[e].normal > 0;
+    };
+    if (n > 0 && !continues(0, 0) && continues(1, 0))
+      std::swap(memory[0], memory[1]);
+    for (unsigned int e = 0; e < 2; ++e)
+      if (e >= n || !continues(e, e))
+        memory[e] = Memory();
   }
 
 
@@ -408,7 +382,7 @@ namespace coapt
   {
     surface.positions(X, points);
     rotation.set_state(points, V);
-    renew_candidates();
+    finder.begin_step(points);
     surface.areas(points, columns.current_area);
 
     sums.assign(n_slots * surface.n_columns() + 1, 0.);
@@ -431,14 +405,20 @@ namespace coapt
   void
   MidSurfaceContact::spread_couples()
   {
-    for (unsigned int c = 0; c < surface.n_columns(); ++c)
+    for (const auto &slots :
+         {std::make_pair(normal_couple, normal_impulse),
+          std::make_pair(tangential_couple, tangential_impulse)})
       {
-        const Tensor<1, 3> sum = vector_at(&sums[n_slots * c + couple]);
-        if (sum.norm_square() > 0)
-          rotation.add_couple(c, sum);
+        for (unsigned int c = 0; c < surface.n_columns(); ++c)
+          {
+            const Tensor<1, 3> couple =
+              vector_at(&sums[n_slots * c + slots.first]);
+            if (couple.norm_square() > 0)
+              rotation.add_couple(c, couple);
+          }
+        for (const auto &part : rotation.fetch_impulses())
+          add(&sums[n_slots * part.column + slots.second], 1., part.impulse);
       }
-    for (const auto &part : rotation.fetch_impulses())
-      add(&sums[n_slots * part.column + tangential_impulse], 1., part.impulse);
   }
 
 

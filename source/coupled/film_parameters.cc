@@ -16,12 +16,12 @@ namespace coapt
                       "thinner than the cells is let go, so that contact and "
                       "not the film carries the load.");
     prm.declare_entry("Treated width",
-                      "1",
+                      "1.5",
                       Double(0., 2.),
                       "Films below this width are treated fully (in units of "
                       "the finest fluid cell).");
     prm.declare_entry("Largest width",
-                      "1.5",
+                      "2",
                       Double(0., 3.),
                       "Films above this width are left alone (in units of the "
                       "finest fluid cell).");

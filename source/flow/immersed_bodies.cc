@@ -108,6 +108,11 @@ namespace coapt
     check_inside();
     if (!parameters.immersed->has_pressure_within)
       system.set_within(&within.emplace(body.mesh, points));
+    if (parameters.immersed->couples_surface)
+      system.set_sink(&enclosed.emplace(body.mesh,
+                                        model.fluid(),
+                                        model.smallest_cell_size(),
+                                        model.communicator));
     if (parameters.immersed->damping_rate > 0)
       add_damping();
     if (parameters.immersed->has_contact)
@@ -261,7 +266,10 @@ namespace coapt
     std::vector<double> y           = system.state_at_rest(body.mesh.points);
     const std::vector<double> fluid = model.initial_state();
     std::copy(fluid.begin(), fluid.end(), y.begin());
-    last_volume = volume_behind_strips(system.solid_positions(y.data()));
+    const std::vector<double> X = system.solid_positions(y.data());
+    last_volume                 = volume_behind_strips(X);
+    if (enclosed)
+      enclosed->update(X.data());
     return y;
   }
 
@@ -381,6 +389,8 @@ namespace coapt
   {
     steps_since_audit = 0;
     audit.sample(t, y);
+    if (enclosed)
+      enclosed->update(system.solid_positions(y).data());
   }
 
 

@@ -98,9 +98,12 @@ main(int argc, char **argv)
   {
     double h, oscillation, drag, error;
   };
-  for (const Bound &bound : {Bound{2e-3, 0.08, 0.04, 0.3},
-                             Bound{1e-3, 0.045, 0.013, 0.03},
-                             Bound{0.5e-3, 0.009, 0.005, 0.02}})
+  // Two, four and eight elements in the contact. Chords of a curved sheet leave
+  // more of a gap in the mean over a tributary area than its nodes do, by about
+  // h^2/(6 R) beside depths of 0.1 mm: the mean force comes of second order.
+  for (const Bound &bound : {Bound{2e-3, 0.11, 0.013, 0.52},
+                             Bound{1e-3, 0.03, 0.003, 0.1},
+                             Bound{0.5e-3, 0.006, 7e-4, 0.025}})
     {
       // the largest of some depths: at one of them it can be small by chance
       double oscillation = 0, drag = 0, error = 0;

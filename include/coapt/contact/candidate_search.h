@@ -47,6 +47,13 @@ namespace coapt
     std::vector<Candidate> &
     candidates(const unsigned int i);
 
+    /** The neighbours of the i-th column of this rank. */
+    const std::vector<unsigned int> &
+    neighbours(const unsigned int i) const
+    {
+      return excluded[i];
+    }
+
     /** How many triangles the last find() has looked at, each once for each
      * column: its cost. */
     std::size_t

@@ -49,9 +49,53 @@ namespace coapt
           const unsigned int column,
           const Encounter &encounter) const;
 
+    /** Corners of a triangle. */
+    const std::array<unsigned int, 3> &
+    corners(const unsigned int triangle) const;
+
+    /** The first of the triangles that share the point of an encounter. */
+    unsigned int
+    first_sharing(const Encounter &encounter) const;
+
+    /**
+     * Goes from the triangle of @p found over those beside it to where the
+     * distance from @p p (m) is a local minimum, and takes that for @p found.
+     * Returns whether p is opposite to it: p is not where it lies outside of a
+     * free edge, nor if the triangle is one of its neighbours.
+     */
+    bool
+    descend(const std::vector<dealii::Point<3>> &points,
+            const dealii::Point<3> &p,
+            const std::vector<bool> &is_neighbour,
+            Encounter &found) const;
+
   private:
+    /** The corners between which a point of the surface lies: three of a
+     * triangle, two of an edge, or one. */
+    struct Support
+    {
+      std::array<unsigned int, 3> columns{};
+      unsigned int n = 0;
+    };
+
+    Support
+    support(const Encounter &found) const;
+
+    bool
+    contains(const unsigned int triangle, const Support &support) const;
+
+    bool
+    lies_inside(const Support &support,
+                const std::vector<bool> &is_neighbour) const;
+
+    Encounter
+    encounter(const std::vector<dealii::Point<3>> &points,
+              const dealii::Point<3> &p,
+              const unsigned int triangle) const;
+
     std::vector<std::array<unsigned int, 3>> triangles;
     std::vector<std::vector<unsigned int>> around; // triangles of a column
+    std::vector<bool> is_free; // whether a column lies on a free edge
   };
 } // namespace coapt
 

@@ -1,12 +1,12 @@
 #ifndef coapt_contact_mid_surface_contact_h
 #define coapt_contact_mid_surface_contact_h
 
-#include <coapt/contact/candidate_search.h>
 #include <coapt/contact/contact_law.h>
 #include <coapt/contact/contact_parameters.h>
-#include <coapt/contact/facing_rule.h>
+#include <coapt/contact/encounter_finder.h>
 #include <coapt/contact/mid_surface.h>
 #include <coapt/contact/mid_surface_spin.h>
+#include <coapt/contact/tributary_patch.h>
 
 #include <mpi.h>
 
@@ -25,10 +25,12 @@ namespace coapt
    * triangles and, as their corner, as the partner of others: two passes of
    * half weight each. A column takes the nearest triangle that faces it
    * (FacingRule), and a second one on its other side, if it lies between two
-   * parts of the leaflet. Friction acts half-way between the two mid-surfaces,
-   * with a couple on each, and slip is that of the surfaces there, which turn
-   * with their columns (MidSurfaceSpin): moments balance, and what turns as one
-   * body does not slip.
+   * parts of the leaflet. It stands for its tributary area: distance, velocity
+   * and forces are means over it and what it faces (TributaryPatch), so that
+   * pressures do not depend on how the meshes of both sides fit. Friction acts
+   * half-way between the two mid-surfaces, with a couple on each, and slip is
+   * that of the surfaces there, which turn with their columns (MidSurfaceSpin):
+   * moments balance, and what turns as one body does not slip.
    *
    * Contact has no stable step of its own: the stiffness follows the step.
    *
@@ -115,20 +117,15 @@ namespace coapt
     stiffness(const double dt) const;
 
   private:
-    void
-    renew_candidates();
-
-    unsigned int
-    find_encounters(const unsigned int i,
-                    const double within,
-                    Encounter (&encounters)[2]);
-
-    /** A column and what it touches. */
+    /** A column and what it touches, as means over its tributary area. */
     struct Pair
     {
-      unsigned int column;
-      Encounter encounter;
-      std::array<unsigned int, 3> corner; // of the triangle
+      const TributaryPatch *patch;
+      double area; // that touches, m^2
+
+      /** Of the mid-surfaces (m), and the unit vector to the partner. */
+      double distance;
+      dealii::Tensor<1, 3> normal;
 
       /** From the mid-surface of the column to the middle of the gap; against
        * this from that of the partner (m). */
@@ -150,6 +147,13 @@ namespace coapt
       dealii::Tensor<1, 3> spin; // mean of both (rad/s)
     };
 
+    /** The column of its own with the number @p i and what is around the
+     * encounter. */
+    Pair
+    pair_up(const unsigned int i,
+            const Encounter &encounter,
+            TributaryPatch &patch);
+
     void
     find_masses(Pair &pair);
 
@@ -164,16 +168,24 @@ namespace coapt
                const dealii::Tensor<1, 3> &along);
 
     bool
-    add_impulse(const unsigned int column,
-                const Encounter &encounter,
+    add_impulse(Pair &pair,
                 const double stiffness,
                 const double dt,
                 ElasticSlip<3> &history);
 
-    /** The history of the i-th own column that continues in a contact with
-     * this normal, a new one if there is none. */
-    ElasticSlip<3>
-    history_of(const unsigned int i, const dealii::Tensor<1, 3> &normal) const;
+    /** What a column keeps from step to step of a contact. */
+    struct Memory
+    {
+      ElasticSlip<3> history; // of friction
+      TributaryPatch patch;
+    };
+
+    /** Brings what the i-th own column remembers of its contacts into the
+     * order of the normals of its @p n @p encounters. */
+    void
+    sort_memories(const unsigned int i,
+                  const Encounter *encounters,
+                  const unsigned int n);
 
     void
     treat_column(const unsigned int i, const double stiffness, const double dt);
@@ -193,20 +205,23 @@ namespace coapt
     MidSurface surface;
     MidSurfaceSpin rotation;
     std::vector<unsigned int> own_columns;
-    CandidateSearch search;
-    FacingRule rule;
-    double areal_mass; // density x h, kg/m^2
-    double displacement = 0;
-    bool measure_all    = true;
-    std::vector<double> least_distance; // lower bound, by own column
-
-    // Of friction, by own column: with the nearest partner and the opposite.
-    std::vector<std::array<ElasticSlip<3>, 2>> histories;
-    unsigned int steps_since_check = 0;
 
     std::vector<dealii::Point<3>> points;
-    std::vector<double> sums;        // what is summed over the ranks
-    std::vector<Encounter> touching; // scratch
+    double spacing;    // of columns, in the mean (m)
+    double areal_mass; // density x h, kg/m^2
+
+    /** Distance of mid-surfaces (m) below which a column is looked at: means
+     * may touch although it does not. */
+    double reach;
+
+    FacingRule rule;
+    EncounterFinder finder;
+    TributaryPatches patches;
+
+    // By own column: with the nearest partner and the opposite.
+    std::vector<std::array<Memory, 2>> memories;
+
+    std::vector<double> sums; // what is summed over the ranks
 
     ColumnState columns;
     double time = 0;

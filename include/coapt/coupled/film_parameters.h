@@ -14,8 +14,8 @@ namespace coapt
 
     /** A film is treated fully below the first and not at all above the second
      * of these widths, in units of the finest fluid cell. */
-    double treated_width = 1.;
-    double largest_width = 1.5;
+    double treated_width = 1.5;
+    double largest_width = 2.;
 
     /** Fractional rate of drainage for each Pa above the atrial pressure
      * (1/(Pa s)). */

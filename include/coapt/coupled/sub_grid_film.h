@@ -17,7 +17,7 @@ namespace coapt
    * The film of fluid between two parts of a leaflet that nearly touch, where
    * it is thinner than the fluid's cells. Such a film drains within
    * milliseconds; trapped in cells, it would hold the leaflets apart and carry
-   * the load in the place of contact. So, where the gap is below about a cell,
+   * the load in the place of contact. So, where the gap is below one or two cells,
    *
    * - the half of the leaflet that faces the film is released from the fluid
    *   along the direction to its partner (CouplingPoints::set_release), while
@@ -30,7 +30,7 @@ namespace coapt
    * - a film that stays at a good part of the ventricular pressure p_v although
    *   it drains is fed by the ventricle and does not hold trapped fluid: there,
    *   draining ends while the mean of p/p_v over the last six volumes of film
-   *   that drained or would have done so rises from 0.15 to 0.35.
+   *   that drained or would have done so rises from 0.2 to 0.4.
    *
    * Where surfaces are further apart than the largest width, nothing is
    * changed at all.

@@ -3,6 +3,7 @@
 
 #include <coapt/contact/facet_contact.h>
 #include <coapt/coupled/coupled_system.h>
+#include <coapt/coupled/enclosed_fluid.h>
 #include <coapt/flow/flow_model.h>
 #include <coapt/geometry/body_shapes.h>
 #include <coapt/geometry/material_point.h>
@@ -128,6 +129,7 @@ namespace coapt
     SolidOperator<dim> solid;
     CouplingPoints<dim> points;
     std::optional<FluidWithin<dim>> within;
+    std::optional<EnclosedFluid<dim>> enclosed;
     Timing timing;
     CoupledSystem<dim> system;
     std::vector<bool> held;

@@ -1,0 +1,116 @@
+#ifndef coapt_contact_tributary_patch_h
+#define coapt_contact_tributary_patch_h
+
+#include <coapt/contact/facing_rule.h>
+
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <vector>
+
+namespace coapt
+{
+  /**
+   * The part of a surface that belongs to a column, and what it touches there:
+   * means over the tributary area of the column, of the points of the surface
+   * and of the points of the other part that are closest to them, each as
+   * weights of columns with the sum one.
+   *
+   * Where sheets with different meshes touch, single points give some columns
+   * more of the reaction than their share; with means over tributary areas all
+   * get theirs, as with mortar integrals (Puso and Laursen 2004).
+   */
+  struct TributaryPatch
+  {
+    struct Part
+    {
+      unsigned int column;
+      double weight;
+    };
+
+    std::vector<Part> own, partner;
+
+    /** How much of the area faces the other part; zero before the first
+     * update. */
+    double fraction = 0;
+
+    static constexpr unsigned int none = -1;
+
+    /** Triangle of the closest point to the column when the means were taken,
+     * and what lies on the column's normal on it: its coordinates along the
+     * sides from the first corner. */
+    unsigned int triangle = none;
+    std::array<double, 2> foot{};
+  };
+
+
+
+  /** Keeps tributary patches up to date. */
+  class TributaryPatches
+  {
+  public:
+    /** Of @p quads with corners below @p n_columns; @p rule is that of their
+     * triangles, two a quadrilateral, and must outlive this. */
+    TributaryPatches(const std::vector<std::array<unsigned int, 4>> &quads,
+                     const unsigned int n_columns,
+                     const FacingRule &rule);
+
+    /** How far the @p column has slid on the part that it faces since the
+     * means of @p patch were taken (m). */
+    dealii::Tensor<1, 3>
+    slide(const TributaryPatch &patch,
+          const std::vector<dealii::Point<3>> &points,
+          const unsigned int column) const;
+
+    /** Takes the means for the @p column and what faces it around
+     * @p encounter, but no triangles that are its @p neighbours. */
+    void
+    update(TributaryPatch &patch,
+           const std::vector<dealii::Point<3>> &points,
+           const unsigned int column,
+           const Encounter &encounter,
+           const std::vector<unsigned int> &neighbours);
+
+  private:
+    struct Frame
+    {
+      dealii::Point<3> origin;
+      dealii::Tensor<1, 3> u, v, normal;
+    };
+
+    Frame
+    frame_of(const std::vector<dealii::Point<3>> &points,
+             const unsigned int triangle) const;
+
+    /** A weighted sum of columns. */
+    struct Sum
+    {
+      void
+      add(const unsigned int column, const double weight);
+
+      /** Moves it, with the sum of weights @p total, to @p parts. */
+      void
+      fetch(const double total, std::vector<TributaryPatch::Part> &parts);
+
+      std::vector<double> weights; // of all columns
+      std::vector<unsigned int> columns;
+    };
+
+    void
+    sample(const std::vector<dealii::Point<3>> &points,
+           const unsigned int q,
+           const unsigned int corner,
+           const Encounter &start);
+
+    const std::vector<std::array<unsigned int, 4>> quads;
+    const FacingRule &rule;
+    std::vector<std::vector<unsigned int>> around; // quadrilaterals of a column
+
+    // scratch of update()
+    std::vector<bool> is_neighbour; // by triangle
+    Sum own, partner;
+    double area = 0, area_that_faces = 0;
+  };
+} // namespace coapt
+
+#endif
