@@ -1,7 +1,5 @@
 #include <coapt/coupled/enclosed_fluid.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +19,6 @@ namespace coapt
                                     const double cell_size,
                                     MPI_Comm communicator)
     : fluid(fluid)
-    , communicator(communicator)
     , points(mesh,
              simplex_lattice(mesh, cell_size / points_per_cell),
              communicator)
@@ -34,15 +31,9 @@ namespace coapt
   void
   EnclosedFluid<dim>::update(const double *X)
   {
-    no_multiplier.resize(dim * points.n_owned());
-    const bool have_left =
-      !is_distributed || !points.update(fluid, X, no_multiplier.data());
-    if (dealii::Utilities::MPI::logical_or(have_left, communicator))
-      {
-        points.distribute(fluid, X, no_multiplier);
-        points.update(fluid, X, no_multiplier.data());
-        is_distributed = true;
-      }
+    // Each time, since points in cells of other ranks would not count.
+    points.distribute(fluid, X, no_multiplier);
+    points.update(fluid, X, no_multiplier.data());
 
     const auto &parameters = fluid.parameters();
     const double c         = parameters.sound_speed;

@@ -54,10 +54,8 @@ namespace coapt
     };
 
     const FluidOperator<dim> &fluid;
-    const MPI_Comm communicator;
     CouplingPoints<dim> points; // only to find the cells
     std::vector<double> no_multiplier;
-    bool is_distributed = false;
     std::vector<Cell> cells;
   };
 } // namespace coapt
