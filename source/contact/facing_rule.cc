@@ -2,6 +2,7 @@
 #include <coapt/geometry/triangle.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace coapt
 {
@@ -123,7 +124,7 @@ namespace coapt
 
 
   // The distance falls with each triangle, so this ends.
-  bool
+  double
   FacingRule::descend(const std::vector<Point<3>> &points,
                       const Point<3> &p,
                       const std::vector<bool> &is_neighbour,
@@ -148,26 +149,38 @@ namespace coapt
                 }
             }
       }
-    return lies_inside(support(found), is_neighbour);
+    return share(points, found, is_neighbour);
   }
 
 
 
   // The same whichever of the triangles that share the point has been found.
-  bool
-  FacingRule::lies_inside(const Support &shared,
-                          const std::vector<bool> &is_neighbour) const
+  double
+  FacingRule::share(const std::vector<Point<3>> &points,
+                    const Encounter &found,
+                    const std::vector<bool> &is_neighbour) const
   {
-    unsigned int n = 0;
+    const Support shared  = support(found);
+    unsigned int n        = 0;
+    double largest_cosine = 0;
     for (const unsigned int triangle : around[shared.columns[0]])
       if (contains(triangle, shared))
         {
-          ++n;
           if (is_neighbour[triangle])
-            return false;
+            return 0;
+          ++n;
+          const auto &corner = triangles[triangle];
+          const auto normal =
+            cross_product_3d(points[corner[1]] - points[corner[0]],
+                             points[corner[2]] - points[corner[0]]);
+          if (normal.norm_square() > 0)
+            largest_cosine =
+              std::max(largest_cosine,
+                       std::abs(found.normal * normal) / normal.norm());
         }
-    return shared.n == 3 || (shared.n == 2 && n == 2) ||
+    const bool inside = shared.n == 3 || (shared.n == 2 && n == 2) ||
       (shared.n == 1 && !is_free[shared.columns[0]]);
+    return inside ? 1. : std::min(1., std::max(0., 2 - largest_cosine / 0.2));
   }
 
 

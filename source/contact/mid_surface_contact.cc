@@ -2,8 +2,10 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace coapt
 {
@@ -66,6 +68,17 @@ namespace coapt
                        std::max(surface.n_columns(), 1u));
     }
 
+    // Part of the tributary area touches if the column is less than a spacing
+    // beyond a free edge.
+    double
+    reach_of(const double onset,
+             const double spacing,
+             const ContactParameters &parameters)
+    {
+      return std::min(std::hypot(onset, spacing),
+                      onset + 0.5 * parameters.search_margin);
+    }
+
     void
     add(double *sum, const double factor, const Tensor<1, 3> &vector)
     {
@@ -97,8 +110,7 @@ namespace coapt
     , points(reference_positions(surface, leaflet))
     , spacing(mean_spacing(surface, points))
     , areal_mass(density * std::min(thickness, spacing))
-    , reach(thickness + parameters.clearance +
-            0.25 * std::min(spacing, parameters.search_margin))
+    , reach(reach_of(thickness + parameters.clearance, spacing, parameters))
     , rule(surface.triangles(), surface.n_columns())
     , finder(points,
              surface.triangles(),
@@ -162,13 +174,19 @@ namespace coapt
   {
     const unsigned int column = own_columns[i];
     const double area         = columns.current_area[column];
-    Tensor<1, 3> slid;
-    if (patch.triangle != TributaryPatch::none)
-      slid = patches.slide(patch, points, column);
-    if (patch.triangle == TributaryPatch::none ||
-        slid.norm_square() > renewed_after * renewed_after * area)
+    TributaryPatches::Offset offset{{}, 0.};
+    bool is_current = patch.triangle != TributaryPatch::none;
+    if (is_current)
       {
-        slid = Tensor<1, 3>();
+        // nearer than what the means are of, there may be another part now
+        const double tolerance = renewed_after * std::sqrt(area);
+        offset                 = patches.offset(patch, points, column);
+        is_current             = offset.slid.norm() < tolerance &&
+          offset.distance < encounter.distance + tolerance;
+      }
+    if (!is_current)
+      {
+        offset.slid = Tensor<1, 3>();
         patches.update(patch, points, column, encounter, finder.neighbours(i));
       }
 
@@ -181,7 +199,7 @@ namespace coapt
     pair.patch  = &patch;
     pair.area   = patch.fraction * area;
     pair.arm    = 0.5 * way;
-    pair.normal = way + slid;
+    pair.normal = way + offset.slid;
     if (pair.area > 0 && pair.normal.norm_square() > 0)
       pair.normal /= pair.normal.norm();
     else
@@ -227,20 +245,20 @@ namespace coapt
   void
   MidSurfaceContact::find_velocities(Pair &pair)
   {
-    pair.velocity       = Tensor<1, 3>();
+    Tensor<1, 3> velocity; // of the partner as seen from the column
     pair.spin           = Tensor<1, 3>();
     const auto add_side = [&](const std::vector<TributaryPatch::Part> &side,
                               const double sign) {
       for (const auto &part : side)
         {
-          pair.velocity += sign * part.weight * rotation.velocity(part.column);
+          velocity += sign * part.weight * rotation.velocity(part.column);
           pair.spin += 0.5 * part.weight * rotation.spin(part.column);
         }
     };
     add_side(pair.patch->own, -1.);
     add_side(pair.patch->partner, 1.);
     const Tensor<1, 3> facing =
-      pair.velocity - 2 * cross_product_3d(pair.spin, pair.arm);
+      velocity - 2 * cross_product_3d(pair.spin, pair.arm);
     pair.opening = facing * pair.normal;
     pair.sliding = facing - pair.opening * pair.normal;
   }
@@ -253,15 +271,16 @@ namespace coapt
                                  const double dt,
                                  ElasticSlip<3> &history)
   {
-    if (!(pair.area > 0) || pair.distance >= thickness + parameters.clearance)
+    const bool touches =
+      pair.area > 0 && pair.distance < thickness + parameters.clearance;
+    if (touches)
+      find_masses(pair);
+    if (!touches || !(pair.inverse_mass > 0))
       {
         history        = ElasticSlip<3>();
         history.normal = pair.normal;
         return false;
       }
-    find_masses(pair);
-    if (!(pair.inverse_mass > 0))
-      return false;
     find_velocities(pair);
 
     const auto response = contact_pressure(pair.distance - thickness,
@@ -368,7 +387,8 @@ namespace coapt
     const auto continues = [&](const unsigned int m, const unsigned int e) {
       return memory[m].history.normal * encounters[e].normal > 0;
     };
-    if (n > 0 && !continues(0, 0) && continues(1, 0))
+    if (n > 0 && !continues(0, 0) &&
+        (continues(1, 0) || (n == 2 && continues(0, 1))))
       std::swap(memory[0], memory[1]);
     for (unsigned int e = 0; e < 2; ++e)
       if (e >= n || !continues(e, e))

@@ -63,15 +63,18 @@ namespace coapt
 
 
 
-  Tensor<1, 3>
-  TributaryPatches::slide(const TributaryPatch &patch,
-                          const std::vector<Point<3>> &points,
-                          const unsigned int column) const
+  TributaryPatches::Offset
+  TributaryPatches::offset(const TributaryPatch &patch,
+                           const std::vector<Point<3>> &points,
+                           const unsigned int column) const
   {
-    const Frame frame   = frame_of(points, patch.triangle);
-    Tensor<1, 3> result = points[column] - frame.origin -
-      patch.foot[0] * frame.u - patch.foot[1] * frame.v;
-    result -= (result * frame.normal) * frame.normal;
+    const Frame frame = frame_of(points, patch.triangle);
+    Offset result;
+    result.slid = points[column] - frame.origin - patch.foot[0] * frame.u -
+      patch.foot[1] * frame.v;
+    const double along_normal = result.slid * frame.normal;
+    result.slid -= along_normal * frame.normal;
+    result.distance = std::abs(along_normal);
     return result;
   }
 
@@ -151,7 +154,7 @@ namespace coapt
                      cross_product_3d(frame.u, offset) * across / square}};
     for (const unsigned int triangle : neighbours)
       is_neighbour[triangle] = false;
-    patch.fraction = area_that_faces / area;
+    patch.fraction = area_that_faces > 0 ? area_that_faces / area : 0.;
     own.fetch(area_that_faces, patch.own);
     partner.fetch(area_that_faces, patch.partner);
   }
@@ -184,15 +187,17 @@ namespace coapt
         const double weight = quad_area * N[corner];
         area += weight;
         Encounter found = last;
-        if (!rule.descend(points, p, is_neighbour, found))
+        const double facing =
+          weight * rule.descend(points, p, is_neighbour, found);
+        if (facing == 0)
           continue;
         last = found;
-        area_that_faces += weight;
+        area_that_faces += facing;
         for (unsigned int v = 0; v < 4; ++v)
-          own.add(c[v], weight * N[v]);
+          own.add(c[v], facing * N[v]);
         for (unsigned int v = 0; v < 3; ++v)
           partner.add(rule.corners(found.triangle)[v],
-                      weight * found.weights[v]);
+                      facing * found.weights[v]);
       }
   }
 } // namespace coapt

@@ -398,7 +398,7 @@ namespace
         shear = sheet.shear(distance / (n * dt), dt);
       return shear;
     };
-    // Columns beyond the rim of the other sheet push a little sideways.
+    // What hangs over the rim of the other sheet does not touch.
     const double rim = 3e-3;
     check_relative("shear of a sticking sheet",
                    move(0.5 * reach),

@@ -108,10 +108,67 @@ namespace
     check("force falls with the overlap" + name, off_line < 0.005, off_line);
     check("to zero" + name, out.back().norm() == 0, out.back().norm());
     check("without jumps" + name, jump < 0.005, jump);
-    check("it is the same on the way back" + name,
-          other < 1e-8,
-          other);
+    check("it is the same on the way back" + name, other < 1e-8, other);
     check("the edge does not hook" + name, drag < friction + 1e-6, drag);
+  }
+  /** Force (N) on a sheet whose free edge comes to the @p distance (m) from
+   * another, pinned one: upright above its middle, or in the same plane. */
+  Tensor<1, 3>
+  force_on_edge(const bool upright, const double distance)
+  {
+    const double h = 0.5e-3, side = 4e-3;
+    Sheets sheets;
+    sheets.add_rectangle({{8, 8}}, Point<3>(), {{side, side}}, true);
+    const unsigned int upper = sheets.mass.size();
+    // far away at first, as neighbours do not touch
+    sheets.add(
+      {{8, 8}},
+      [=](const double a, const double b, const double t) {
+        return upright
+          ? Point<3>(side / 2 + t, 0.1 * h + side * a, 9e-3 + side * b)
+          : Point<3>(side + 9e-3 + side * b, 0.1 * h + side * a, t);
+      },
+      side * side,
+      false);
+    ContactParameters parameters;
+    parameters.clearance = 0.3e-3;
+    parameters.damping   = 0;
+    MidSurfaceContact contact(
+      sheets.leaflet, sheets.mass, Sheets::density, parameters, MPI_COMM_WORLD);
+    for (unsigned int n = upper; n < sheets.mass.size(); ++n)
+      sheets.X[3 * n + (upright ? 2 : 0)] += distance - 9e-3;
+    const double dt = 1e-6;
+    contact.apply_impulse(sheets.X.data(), sheets.V.data(), dt);
+    Tensor<1, 3> sum;
+    for (unsigned int n = upper; n < sheets.mass.size(); ++n)
+      for (unsigned int d = 0; d < 3; ++d)
+        sum[d] += sheets.mass[n] * sheets.V[3 * n + d] / dt;
+    return sum;
+  }
+
+  void
+  push_edge(const bool upright)
+  {
+    const std::string name = upright ? "upright" : "in the plane";
+    const unsigned int d   = upright ? 2 : 0;
+    const double onset     = Sheets::thickness + 0.3e-3;
+    double last            = 0;
+    bool grows             = true;
+    double aside           = 0;
+    for (unsigned int i = 0; i < 20; ++i)
+      {
+        const Tensor<1, 3> force = force_on_edge(upright, onset - i * 20e-6);
+        grows = grows && (force[d] > last || (last == 0 && i < 15));
+        last  = force[d];
+        aside = std::max(aside, std::abs(force[upright ? 0 : 2]));
+      }
+    check("an edge " + name + " is pushed back, the more the nearer",
+          grows && last > 0,
+          last);
+    // the two triangles of a quadrilateral are no mirror images
+    check("but not aside, " + name, aside < 1e-2 * last, aside / last);
+    check("not from beyond the clearance, " + name,
+          force_on_edge(upright, onset + 1e-6).norm() == 0);
   }
 } // namespace
 
@@ -121,4 +178,6 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   slide_off(0);
   slide_off(0.2);
+  push_edge(true);
+  push_edge(false);
 }

@@ -5,6 +5,7 @@
 #include <coapt/contact/contact_parameters.h>
 #include <coapt/contact/facing_rule.h>
 
+#include <array>
 #include <vector>
 
 namespace coapt

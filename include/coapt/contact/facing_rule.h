@@ -60,10 +60,13 @@ namespace coapt
     /**
      * Goes from the triangle of @p found over those beside it to where the
      * distance from @p p (m) is a local minimum, and takes that for @p found.
-     * Returns whether p is opposite to it: p is not where it lies outside of a
-     * free edge, nor if the triangle is one of its neighbours.
+     * Returns how much p is opposite to it: 0 in a triangle that
+     * @p is_neighbour, else 1, but outside of a free edge 0 where the surface
+     * lies beside p, 1 where it shows its edge to p and between both where the
+     * cosine of the angle of the connection with the surface's normal falls
+     * from 0.4 to 0.2.
      */
-    bool
+    double
     descend(const std::vector<dealii::Point<3>> &points,
             const dealii::Point<3> &p,
             const std::vector<bool> &is_neighbour,
@@ -84,9 +87,10 @@ namespace coapt
     bool
     contains(const unsigned int triangle, const Support &support) const;
 
-    bool
-    lies_inside(const Support &support,
-                const std::vector<bool> &is_neighbour) const;
+    double
+    share(const std::vector<dealii::Point<3>> &points,
+          const Encounter &found,
+          const std::vector<bool> &is_neighbour) const;
 
     Encounter
     encounter(const std::vector<dealii::Point<3>> &points,

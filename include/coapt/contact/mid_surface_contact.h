@@ -10,6 +10,7 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -19,18 +20,18 @@ namespace coapt
    * Contact of a leaflet with itself, as an impulse on the velocities after
    * each completed step.
    *
-   * A column touches a triangle of the mid-surface when their distance falls
-   * below thickness plus clearance; since it is a distance, free edges are
-   * round and do not hook. Every column is treated as node against the
-   * triangles and, as their corner, as the partner of others: two passes of
-   * half weight each. A column takes the nearest triangle that faces it
-   * (FacingRule), and a second one on its other side, if it lies between two
+   * A column touches another part of the mid-surface when their distance falls
+   * below thickness plus clearance. It looks at the nearest part that faces it
+   * (FacingRule), and at a second one on its other side, if it lies between two
    * parts of the leaflet. It stands for its tributary area: distance, velocity
    * and forces are means over it and what it faces (TributaryPatch), so that
-   * pressures do not depend on how the meshes of both sides fit. Friction acts
-   * half-way between the two mid-surfaces, with a couple on each, and slip is
-   * that of the surfaces there, which turn with their columns (MidSurfaceSpin):
-   * moments balance, and what turns as one body does not slip.
+   * pressures do not depend on how the meshes of both sides fit, and what hangs
+   * over a free edge does not hook there. Every column acts by its own area and
+   * is acted upon as part of what others face: two passes of half weight each.
+   * Friction acts half-way between the two mid-surfaces, with a couple on each,
+   * and slip is that of the surfaces there, which turn with their columns
+   * (MidSurfaceSpin): moments balance, and what turns as one body does not
+   * slip.
    *
    * Contact has no stable step of its own: the stiffness follows the step.
    *
@@ -48,6 +49,8 @@ namespace coapt
                       const ContactParameters &parameters,
                       MPI_Comm communicator);
 
+    MidSurfaceContact(const MidSurfaceContact &) = delete;
+
     /** What happened in a step; the same on all ranks. */
     struct Result
     {
@@ -55,7 +58,7 @@ namespace coapt
       double min_gap        = 1e-2; // m, distance minus thickness
       double friction_power = 0;    // W, work on the leaflet / step
       double normal_power   = 0;    // W
-      unsigned int pairs    = 0;    // node against triangle
+      unsigned int pairs    = 0;    // columns and parts that touch
     };
 
     /**
@@ -71,8 +74,8 @@ namespace coapt
     struct ColumnState
     {
       /** Distance to the nearest part of the mid-surface that faces the column
-       * minus thickness (m), no_gap if there is none near. Gaps beyond the
-       * clearance are measured every "search interval" steps only. */
+       * minus thickness (m), no_gap if there is none near. Gaps of more than
+       * some clearances are measured every "search interval" steps only. */
       std::vector<double> gap;
 
       /** Integral of the contact pressure over time (Pa s) since
@@ -135,13 +138,9 @@ namespace coapt
        * those along the surface, which turn both sides, too. */
       double inverse_mass, inverse_mass_along;
 
-      /** Velocity of the partner as seen from the column (m/s), and its part
-       * along the normal. */
-      dealii::Tensor<1, 3> velocity;
+      /** Velocity of the partner's facing surface as seen from that of the
+       * column, where they meet (m/s): along the normal and across it. */
       double opening;
-
-      /** The same along the surface, of both facing surfaces where they
-       * meet. */
       dealii::Tensor<1, 3> sliding;
 
       dealii::Tensor<1, 3> spin; // mean of both (rad/s)

@@ -18,7 +18,8 @@ namespace coapt
    *
    * Where sheets with different meshes touch, single points give some columns
    * more of the reaction than their share; with means over tributary areas all
-   * get theirs, as with mortar integrals (Puso and Laursen 2004).
+   * get theirs, as with mortar integrals (Puso and Laursen 2004). Samples count
+   * for equal parts of a quadrilateral, so this is exact for parallelograms.
    */
   struct TributaryPatch
   {
@@ -55,12 +56,19 @@ namespace coapt
                      const unsigned int n_columns,
                      const FacingRule &rule);
 
-    /** How far the @p column has slid on the part that it faces since the
-     * means of @p patch were taken (m). */
-    dealii::Tensor<1, 3>
-    slide(const TributaryPatch &patch,
-          const std::vector<dealii::Point<3>> &points,
-          const unsigned int column) const;
+    /** Where a column is now, as seen from the part that it faced when the
+     * means were taken. */
+    struct Offset
+    {
+      dealii::Tensor<1, 3> slid; // along the surface since then, m
+      double distance;           // along its normal, m
+    };
+
+    /** That of the @p column, of which @p patch is. */
+    Offset
+    offset(const TributaryPatch &patch,
+           const std::vector<dealii::Point<3>> &points,
+           const unsigned int column) const;
 
     /** Takes the means for the @p column and what faces it around
      * @p encounter, but no triangles that are its @p neighbours. */
