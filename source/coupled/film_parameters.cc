@@ -26,7 +26,7 @@ namespace coapt
                       "Films above this width are left alone (in units of the "
                       "finest fluid cell).");
     prm.declare_entry("Rate",
-                      "0.03",
+                      "0.028",
                       Double(0., 1.),
                       "Part of a film's fluid that drains each second for each "
                       "pascal above the atrial pressure (1/(Pa s)).");

@@ -37,7 +37,7 @@ namespace coapt
     double
     openness(const double fed)
     {
-      return falling_step(fed, 0.2, 0.4);
+      return falling_step(fed, 0.15, 0.35);
     }
 
     Point<3>

@@ -19,7 +19,7 @@ namespace coapt
 
     /** Fractional rate of drainage for each Pa above the atrial pressure
      * (1/(Pa s)). */
-    double drainage = 0.03;
+    double drainage = 0.028;
 
     /** Declares the parameters. */
     static void

@@ -30,7 +30,7 @@ namespace coapt
    * - a film that stays at a good part of the ventricular pressure p_v although
    *   it drains is fed by the ventricle and does not hold trapped fluid: there,
    *   draining ends while the mean of p/p_v over the last six volumes of film
-   *   that drained or would have done so rises from 0.2 to 0.4.
+   *   that drained or would have done so rises from 0.15 to 0.35.
    *
    * Where surfaces are further apart than the largest width, nothing is
    * changed at all.
