@@ -46,7 +46,7 @@ namespace coapt
         const double within = 4 * (volume[cell] / all - 0.75);
         if (within > 0)
           cells.push_back({cell,
-                           std::min(1., within) * 0.1 * c / h,
+                           std::min(1., within) * 0.02 * c / h,
                            all / (parameters.density * c * c)});
       }
   }

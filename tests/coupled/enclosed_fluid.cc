@@ -50,7 +50,7 @@ namespace
   {
     CoupledCase<dim> c(square_block<dim>());
     EnclosedFluid<dim> enclosed(c.block.mesh, c.fluid, h, MPI_COMM_WORLD);
-    const double rate    = 0.1 * c.fluid.parameters().sound_speed / h;
+    const double rate    = 0.02 * c.fluid.parameters().sound_speed / h;
     const double modulus = 1060 * 50. * 50.;
     std::vector<double> pressure(c.fluid.n_owned_cells());
     for (unsigned int i = 0; i < pressure.size(); ++i)

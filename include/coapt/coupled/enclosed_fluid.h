@@ -20,7 +20,7 @@ namespace coapt
    *
    *   p' = ... - phi r p,
    *
-   * where r is a tenth of the rate at which sound crosses a cell, and phi goes
+   * where r is a fiftieth of the rate at which sound crosses a cell, and phi goes
    * from 0 to 1 while the body takes from three quarters to all of the cell.
    */
   template <int dim>
