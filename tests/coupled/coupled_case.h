@@ -33,6 +33,24 @@ struct CoupledSetup
   double spacing = 0; // of the coupling points, m
 };
 
+/** A free @p block with points @p spacing (m) apart, in a box of 16 mm with
+ * cells of 1 mm and walls all around. */
+template <int dim>
+CoupledSetup<dim>
+free_in_box(const Block<dim> &block, const double spacing)
+{
+  CoupledSetup<dim> s;
+  for (int d = 0; d < dim; ++d)
+    s.upper[d] = 16e-3;
+  s.cells.fill(16);
+  s.boundaries.type.fill(coapt::FluidBoundary::no_slip);
+  s.block = block;
+  s.pinned.assign(s.block.unit.size(), false);
+  s.spacing        = spacing;
+  s.solid.material = "neo-Hookean";
+  return s;
+}
+
 /** A block in a box of fluid, with its state and its integrator. */
 template <int dim>
 struct CoupledCase

@@ -15,23 +15,15 @@ namespace
   CoupledSetup<dim>
   square_block()
   {
-    CoupledSetup<dim> s;
-    for (int d = 0; d < dim; ++d)
-      s.upper[d] = 16e-3;
-    s.cells.fill(16);
-    s.boundaries.type.fill(FluidBoundary::no_slip);
     std::array<unsigned int, dim> n;
     n.fill(5);
-    s.block = make_block<dim>(n, [](const Point<dim> &r) {
+    const auto block = make_block<dim>(n, [](const Point<dim> &r) {
       Point<dim> x;
       for (int d = 0; d < dim; ++d)
         x[d] = begin + size * r[d];
       return x;
     });
-    s.pinned.assign(s.block.unit.size(), false);
-    s.spacing        = h;
-    s.solid.material = "neo-Hookean";
-    return s;
+    return free_in_box(block, h);
   }
 
   /** How much of the interval [x, x + h] lies in the block at @p way from its

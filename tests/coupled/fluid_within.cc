@@ -15,23 +15,15 @@ namespace
   CoupledSetup<dim>
   tilted_block()
   {
-    CoupledSetup<dim> s;
-    for (int d = 0; d < dim; ++d)
-      s.upper[d] = 16e-3;
-    s.cells.fill(16);
-    s.boundaries.type.fill(FluidBoundary::no_slip);
     std::array<unsigned int, dim> n;
     n.fill(4);
-    s.block = make_block<dim>(n, [](const Point<dim> &r) {
+    const auto block = make_block<dim>(n, [](const Point<dim> &r) {
       Point<dim> x;
       for (int d = 0; d < dim; ++d)
         x[d] = 5.3e-3 + 4.7e-3 * r[d] + 0.6e-3 * r[(d + 1) % dim];
       return x;
     });
-    s.pinned.assign(s.block.unit.size(), false);
-    s.spacing        = 0.25e-3;
-    s.solid.material = "neo-Hookean";
-    return s;
+    return free_in_box(block, 0.25e-3);
   }
 
   /** What fluid of given pressure within a moving solid does. */

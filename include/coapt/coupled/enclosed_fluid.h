@@ -20,8 +20,9 @@ namespace coapt
    *
    *   p' = ... - phi r p,
    *
-   * where r is a fiftieth of the rate at which sound crosses a cell, and phi goes
-   * from 0 to 1 while the body takes from three quarters to all of the cell.
+   * where r is a fiftieth of the rate at which sound crosses a cell, and phi
+   * goes from 0 to 1 while the body takes from three quarters to all of the
+   * cell.
    */
   template <int dim>
   class EnclosedFluid : public PressureSink

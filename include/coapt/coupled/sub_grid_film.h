@@ -17,7 +17,8 @@ namespace coapt
    * The film of fluid between two parts of a leaflet that nearly touch, where
    * it is thinner than the fluid's cells. Such a film drains within
    * milliseconds; trapped in cells, it would hold the leaflets apart and carry
-   * the load in the place of contact. So, where the gap is below one or two cells,
+   * the load in the place of contact. So, where the gap is below one or two
+   * cells,
    *
    * - the half of the leaflet that faces the film is released from the fluid
    *   along the direction to its partner (CouplingPoints::set_release), while
