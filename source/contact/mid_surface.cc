@@ -66,9 +66,13 @@ namespace coapt
                          const std::vector<double> &nodal_mass)
     : nodes_per_column(leaflet.columns.empty() ? 0 : leaflet.columns[0].size())
     , quads(leaflet.quads)
+    , around(leaflet.columns.size())
     , corners(triangulate(leaflet.quads))
   {
     check_columns(leaflet, nodal_mass);
+    for (unsigned int q = 0; q < quads.size(); ++q)
+      for (const unsigned int column : quads[q])
+        around[column].push_back(q);
     for (const auto &column : leaflet.columns)
       {
         const std::vector<double> weights =

@@ -119,7 +119,7 @@ namespace coapt
              parameters,
              thickness + parameters.clearance,
              reach)
-    , patches(surface.quadrilaterals(), surface.n_columns(), rule)
+    , patches(surface, rule)
   {
     const unsigned int n = surface.n_columns();
     surface.areas(points, columns.reference_area);

@@ -17,14 +17,10 @@ namespace coapt
   MidSurfaceSpin::MidSurfaceSpin(const MidSurface &surface)
     : surface(surface)
     , corners(surface.quadrilaterals())
-    , around(surface.n_columns())
     , columns(surface.n_columns())
     , rotations(surface.n_columns())
     , quads(corners.size())
   {
-    for (unsigned int q = 0; q < corners.size(); ++q)
-      for (const unsigned int column : corners[q])
-        around[column].push_back(q);
   }
 
 
@@ -91,12 +87,13 @@ namespace coapt
     Rotation &result = rotations[column];
     if (result.step == step)
       return result;
-    result      = Rotation();
-    result.step = step;
-    if (around[column].empty())
+    result             = Rotation();
+    result.step        = step;
+    const auto &around = surface.quadrilaterals_around(column);
+    if (around.empty())
       return result;
-    const double share = 1. / around[column].size();
-    for (const unsigned int q : around[column])
+    const double share = 1. / around.size();
+    for (const unsigned int q : around)
       {
         const Rotation &part = current_quad(q).rotation;
         result.spin += share * part.spin;
@@ -127,8 +124,9 @@ namespace coapt
   MidSurfaceSpin::add_couple(const unsigned int column,
                              const Tensor<1, 3> &couple)
   {
-    const Tensor<1, 3> share = couple * (1. / around[column].size());
-    for (const unsigned int q : around[column])
+    const auto &around       = surface.quadrilaterals_around(column);
+    const Tensor<1, 3> share = couple * (1. / around.size());
+    for (const unsigned int q : around)
       {
         Quad &quad = quads[q];
         if (!quad.has_couple)

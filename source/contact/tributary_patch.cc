@@ -45,20 +45,12 @@ namespace coapt
 
 
 
-  TributaryPatches::TributaryPatches(
-    const std::vector<std::array<unsigned int, 4>> &quads,
-    const unsigned int n_columns,
-    const FacingRule &rule)
-    : quads(quads)
-    , rule(rule)
-    , around(n_columns)
-    , is_neighbour(2 * quads.size())
+  TributaryPatches::TributaryPatches(const MidSurface &surface,
+                                     const FacingRule &rule)
+    : surface(surface), rule(rule), is_neighbour(surface.triangles().size())
   {
-    for (unsigned int q = 0; q < quads.size(); ++q)
-      for (const unsigned int column : quads[q])
-        around[column].push_back(q);
-    own.weights.assign(n_columns, 0.);
-    partner.weights.assign(n_columns, 0.);
+    own.weights.assign(surface.n_columns(), 0.);
+    partner.weights.assign(surface.n_columns(), 0.);
   }
 
 
@@ -138,9 +130,9 @@ namespace coapt
     area_that_faces = 0;
     Encounter start = encounter;
     start.triangle  = rule.first_sharing(encounter);
-    for (const unsigned int q : around[column])
+    for (const unsigned int q : surface.quadrilaterals_around(column))
       for (unsigned int corner = 0; corner < 4; ++corner)
-        if (quads[q][corner] == column)
+        if (surface.quadrilaterals()[q][corner] == column)
           sample(points, q, corner, start);
 
     const Frame frame         = frame_of(points, start.triangle);
@@ -170,7 +162,7 @@ namespace coapt
                            const Encounter &start)
   {
     static const std::vector<Sample> samples = fibonacci_lattice();
-    const auto &c                            = quads[q];
+    const auto &c                            = surface.quadrilaterals()[q];
     const double quad_area                   = 0.5 *
       cross_product_3d(points[c[2]] - points[c[0]], points[c[3]] - points[c[1]])
         .norm();

@@ -43,6 +43,14 @@ namespace coapt
     const std::vector<std::array<unsigned int, 4>> &
     quadrilaterals() const;
 
+    /** The numbers of the quadrilaterals that have the @p column as a
+     * corner. */
+    const std::vector<unsigned int> &
+    quadrilaterals_around(const unsigned int column) const
+    {
+      return around[column];
+    }
+
     /** Positions of all columns (m) for the nodal triples @p X, into @p points
      * of size n_columns(). */
     void
@@ -86,6 +94,7 @@ namespace coapt
     std::vector<Node> nodes;
     std::vector<double> inverse_masses; // of columns
     std::vector<std::array<unsigned int, 4>> quads;
+    std::vector<std::vector<unsigned int>> around; // quadrilaterals of a column
     std::vector<std::array<unsigned int, 3>> corners;
   };
 } // namespace coapt

@@ -99,7 +99,6 @@ namespace coapt
 
     const MidSurface &surface;
     const std::vector<std::array<unsigned int, 4>> &corners;
-    std::vector<std::vector<unsigned int>> around; // quadrilaterals of a column
 
     const std::vector<dealii::Point<3>> *points = nullptr;
     const double *V                             = nullptr;

@@ -2,6 +2,7 @@
 #define coapt_contact_tributary_patch_h
 
 #include <coapt/contact/facing_rule.h>
+#include <coapt/contact/mid_surface.h>
 
 #include <deal.II/base/point.h>
 
@@ -50,11 +51,9 @@ namespace coapt
   class TributaryPatches
   {
   public:
-    /** Of @p quads with corners below @p n_columns; @p rule is that of their
-     * triangles, two a quadrilateral, and must outlive this. */
-    TributaryPatches(const std::vector<std::array<unsigned int, 4>> &quads,
-                     const unsigned int n_columns,
-                     const FacingRule &rule);
+    /** Of @p surface with the @p rule of its triangles; both must outlive
+     * this. */
+    TributaryPatches(const MidSurface &surface, const FacingRule &rule);
 
     /** Where a column is now, as seen from the part that it faced when the
      * means were taken. */
@@ -110,9 +109,8 @@ namespace coapt
            const unsigned int corner,
            const Encounter &start);
 
-    const std::vector<std::array<unsigned int, 4>> quads;
+    const MidSurface &surface;
     const FacingRule &rule;
-    std::vector<std::vector<unsigned int>> around; // quadrilaterals of a column
 
     // scratch of update()
     std::vector<bool> is_neighbour; // by triangle
