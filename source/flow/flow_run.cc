@@ -192,6 +192,7 @@ namespace coapt
   void
   FlowRun<dim>::add_bodies(Row &row)
   {
+    bodies->warn(state.data(), log);
     const Row own = bodies->sample(integrator.time(), state.data());
     row.insert(row.end(), own.begin(), own.end());
     if (!model.obstacle() || parameters.reference_speed > 0)

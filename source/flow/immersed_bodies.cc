@@ -345,6 +345,40 @@ namespace coapt
 
 
   template <int dim>
+  void
+  ImmersedBodies<dim>::warn(const double *y, Log &log) const
+  {
+    const ImmersionParameters &coupling = parameters.immersed->coupling;
+    const double density                = parameters.immersed->solid.density;
+    const double ratio = points.largest_mass_ratio(model.fluid(), density);
+    const double largest_ratio =
+      coupling.largest_mass_ratio(density / parameters.fluid.density);
+    if (ratio > largest_ratio)
+      log.warn("mass ratio",
+               "the solid mass coupled to a fluid node is " +
+                 std::to_string(ratio) +
+                 " times the mass of that node (at most " +
+                 std::to_string(largest_ratio) + " is stable)");
+    // Points of a surface are meant to be about one cell apart.
+    if (parameters.immersed->couples_surface)
+      return;
+    const std::vector<double> X = system.solid_positions(y);
+    std::vector<Point<dim>> positions;
+    for (unsigned int n = 0; n < body.mesh.points.size(); ++n)
+      positions.push_back(node_position<dim>(n, X));
+    const double h = model.smallest_cell_size();
+    const double cells =
+      1 / h * deformed_spacing(body.mesh, coupling.spacing * h, positions);
+    if (cells > 0.9)
+      log.warn("stretched points",
+               "coupling points are " + std::to_string(cells) +
+                 " cells apart in the stretched bodies (above 0.9 fluid passes "
+                 "through them): lower Coupling/Point spacing");
+  }
+
+
+
+  template <int dim>
   typename ImmersedBodies<dim>::Row
   ImmersedBodies<dim>::sample(const double t, const double *y)
   {

@@ -80,6 +80,17 @@ namespace coapt
       return longest;
     }
 
+    /** Parts along the edges of a cell: none of a part's is longer than the
+     * spacing. */
+    template <int dim>
+    unsigned int
+    n_parts(const SimplexMesh<dim> &mesh,
+            const std::array<unsigned int, dim + 1> &cell,
+            const double spacing)
+    {
+      return std::ceil(longest_edge(mesh, cell) / spacing * (1 - 1e-12));
+    }
+
     template <int dim>
     double
     area(const std::array<Point<dim>, dim> &corners)
@@ -271,9 +282,8 @@ namespace coapt
     std::vector<SamplePoint<dim>> samples;
     for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
       {
-        const unsigned int n = std::ceil(longest_edge(mesh, mesh.cells[cell]) /
-                                         spacing * (1 - 1e-12));
-        const auto centroids = part_centroids<dim>(n);
+        const auto centroids =
+          part_centroids<dim>(n_parts(mesh, mesh.cells[cell], spacing));
         const double part =
           simplex_volume(mesh, mesh.cells[cell]) / centroids.size();
         for (const auto &centroid : centroids)
@@ -286,6 +296,26 @@ namespace coapt
           }
       }
     return samples;
+  }
+
+
+
+  template <int dim>
+  double
+  deformed_spacing(const SimplexMesh<dim> &mesh,
+                   const double spacing,
+                   const std::vector<Point<dim>> &positions)
+  {
+    check_point_spacing(spacing);
+    const SimplexMesh<dim> deformed{positions, mesh.cells, {}};
+    double largest = 0;
+    for (const auto &cell : mesh.cells)
+      largest =
+        std::max(largest,
+                 longest_edge(deformed, cell) / n_parts(mesh, cell, spacing));
+    // The centroids of two parts with a common face are as far apart as the
+    // vertices opposite of it, which two edges join, over dim + 1.
+    return 2. / (dim + 1) * largest;
   }
 
 
@@ -313,6 +343,14 @@ namespace coapt
   simplex_lattice<2>(const SimplexMesh<2> &, const double);
   template std::vector<SamplePoint<3>>
   simplex_lattice<3>(const SimplexMesh<3> &, const double);
+  template double
+  deformed_spacing<2>(const SimplexMesh<2> &,
+                      const double,
+                      const std::vector<Point<2>> &);
+  template double
+  deformed_spacing<3>(const SimplexMesh<3> &,
+                      const double,
+                      const std::vector<Point<3>> &);
   template std::vector<SamplePoint<2>>
   surface_lattice<2>(const SimplexMesh<2> &, const double, const double);
   template std::vector<SamplePoint<3>>

@@ -15,6 +15,15 @@ struct ChangedEntry
   std::string section, name, value;
 };
 
+/** What the runs of a test log. */
+inline coapt::Log &
+study_log()
+{
+  static std::ostringstream terminal;
+  static coapt::Log log(MPI_COMM_WORLD, terminal);
+  return log;
+}
+
 /** Runs a verification file without fields, with some entries changed. */
 template <int dim>
 coapt::RefinementStudy<dim>
@@ -22,8 +31,6 @@ run_study(const std::string &name,
           const coapt::FlowContents contents,
           const std::vector<ChangedEntry> &changes)
 {
-  static std::ostringstream terminal;
-  static coapt::Log log(MPI_COMM_WORLD, terminal);
   const bool has_bodies = contents == coapt::FlowContents::bodies;
   dealii::ParameterHandler prm;
   prm.declare_entry("Task", has_bodies ? "immersed" : "flow");
@@ -43,7 +50,7 @@ run_study(const std::string &name,
     parameters.immersed.emplace();
   parameters.parse_parameters(prm);
   coapt::RefinementStudy<dim> study(
-    parameters, prm, folder, log, MPI_COMM_WORLD);
+    parameters, prm, folder, study_log(), MPI_COMM_WORLD);
   const coapt::OutputFolder output(name, true, MPI_COMM_WORLD);
   output.create();
   study.run(output);

@@ -314,6 +314,20 @@ test_simplex_lattice(const SimplexMesh<dim> &mesh, const double volume)
         samples.size() == std::lround(std::pow(7, dim)),
         samples.size());
   check(name + " centroid", moment.distance(exact) < 1e-12);
+
+  // seventh parts of the longest edge; stretched along x, the longest is from
+  // (2.5, 0) to (0, 1)
+  std::vector<Point<dim>> stretched = mesh.points;
+  for (Point<dim> &point : stretched)
+    point[0] *= 2.5;
+  check_relative(name + " largest spacing",
+                 deformed_spacing(mesh, 0.21, mesh.points),
+                 2. / (dim + 1) * std::sqrt(2.) / 7,
+                 1e-12);
+  check_relative(name + " largest spacing, stretched",
+                 deformed_spacing(mesh, 0.21, stretched),
+                 2. / (dim + 1) * std::sqrt(2.5 * 2.5 + 1) / 7,
+                 1e-12);
 }
 
 // A square grid over the box, without the triangles that @p hole removes.

@@ -82,6 +82,22 @@ namespace
     const double error = figure(runs[0], "energy_error_relative_max");
     check("leaflets, energy error below 0.01 %", error < 1e-4, error);
   }
+
+  /** The files as they are give no warning; points too far apart do. */
+  void
+  warnings()
+  {
+    check("no warnings", study_log().warnings().empty());
+    run_study<2>("disc",
+                 FlowContents::bodies,
+                 {{"Flow", "Refinements", "4"},
+                  {"Time", "End time", "2"},
+                  {"Coupling", "Point spacing", "1.4"}});
+    const auto &raised = study_log().warnings();
+    check("points too far apart",
+          raised.size() == 1 && raised[0].key == "stretched points",
+          raised.size());
+  }
 } // namespace
 
 int
@@ -92,4 +108,5 @@ main(int argc, char *argv[])
   disc();
   plate();
   leaflets();
+  warnings();
 }

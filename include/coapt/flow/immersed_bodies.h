@@ -1,6 +1,7 @@
 #ifndef coapt_flow_immersed_bodies_h
 #define coapt_flow_immersed_bodies_h
 
+#include <coapt/base/log.h>
 #include <coapt/contact/facet_contact.h>
 #include <coapt/coupled/coupled_system.h>
 #include <coapt/coupled/enclosed_fluid.h>
@@ -64,6 +65,13 @@ namespace coapt
     /** Limits of the step of all parts. Collective. */
     std::vector<StepLimit>
     step_limits(const double *y);
+
+    /** Warns @p log of coupling points that are too far apart in bodies coupled
+     * throughout, where these let fluid through (more than 0.9 cells), and of
+     * more mass at a node of the fluid than steps are stable with. Collective.
+     */
+    void
+    warn(const double *y, Log &log) const;
 
     /** The figures of the bodies at time @p t, forces and leak as means since
      * the last call. Collective. */

@@ -59,6 +59,15 @@ namespace coapt
   std::vector<SamplePoint<dim>>
   simplex_lattice(const SimplexMesh<dim> &mesh, double spacing);
 
+  /** How far (m) points of simplex_lattice() in neighbouring parts can be from
+   * each other, at most, when the nodes of the mesh are at @p positions: 2/3 of
+   * the longest edge of a part in two dimensions, 1/2 in three. */
+  template <int dim>
+  double
+  deformed_spacing(const SimplexMesh<dim> &mesh,
+                   double spacing,
+                   const std::vector<dealii::Point<dim>> &positions);
+
   /**
    * Points on the surface of any mesh, for a body that is several fluid cells
    * thick: none nearer to another than @p spacing (m), and none of the surface
