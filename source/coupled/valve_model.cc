@@ -375,16 +375,10 @@ namespace coapt
       log.warn("root",
                "Lumen: Inset is below one fluid cell, " +
                  std::to_string(1e3 * h) + " mm: the hinge may leak");
-    const double ratio =
-      points->largest_mass_ratio(*fluid, parameters.solid.density);
-    const double largest_ratio = parameters.coupling.largest_mass_ratio(
-      parameters.solid.density / parameters.fluid.density);
-    if (ratio > largest_ratio)
-      log.warn("mass ratio",
-               "the solid mass coupled to a fluid node is " +
-                 std::to_string(ratio) +
-                 " times the mass of that node (at most " +
-                 std::to_string(largest_ratio) + " is stable)");
+    parameters.coupling.warn_of_mass(
+      points->largest_mass_ratio(*fluid, parameters.solid.density),
+      parameters.solid.density / parameters.fluid.density,
+      log);
     warn_if_unstable(parameters.solid, log);
   }
 

@@ -350,15 +350,9 @@ namespace coapt
   {
     const ImmersionParameters &coupling = parameters.immersed->coupling;
     const double density                = parameters.immersed->solid.density;
-    const double ratio = points.largest_mass_ratio(model.fluid(), density);
-    const double largest_ratio =
-      coupling.largest_mass_ratio(density / parameters.fluid.density);
-    if (ratio > largest_ratio)
-      log.warn("mass ratio",
-               "the solid mass coupled to a fluid node is " +
-                 std::to_string(ratio) +
-                 " times the mass of that node (at most " +
-                 std::to_string(largest_ratio) + " is stable)");
+    coupling.warn_of_mass(points.largest_mass_ratio(model.fluid(), density),
+                          density / parameters.fluid.density,
+                          log);
     // Points of a surface are meant to be about one cell apart.
     if (parameters.immersed->couples_surface)
       return;

@@ -81,6 +81,22 @@ namespace coapt
 
 
 
+  void
+  ImmersionParameters::warn_of_mass(const double mass_ratio,
+                                    const double density_ratio,
+                                    Log &log) const
+  {
+    const double largest = largest_mass_ratio(density_ratio);
+    if (mass_ratio > largest)
+      log.warn("mass ratio",
+               "the solid mass coupled to a fluid node is " +
+                 std::to_string(mass_ratio) +
+                 " times the mass of that node (at most " +
+                 std::to_string(largest) + " is stable)");
+  }
+
+
+
   RelaxationCoefficients
   relaxation_coefficients(const double solid_density,
                           const double fluid_density,

@@ -1,6 +1,8 @@
 #ifndef coapt_immersion_immersion_parameters_h
 #define coapt_immersion_immersion_parameters_h
 
+#include <coapt/base/log.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 namespace coapt
@@ -37,6 +39,12 @@ namespace coapt
      */
     double
     largest_mass_ratio(const double density_ratio) const;
+
+    /** Warns @p log of a @p mass_ratio above largest_mass_ratio(). */
+    void
+    warn_of_mass(const double mass_ratio,
+                 const double density_ratio,
+                 Log &log) const;
 
     /** Declares the parameters. */
     static void
