@@ -70,6 +70,16 @@ namespace coapt
       return x;
     }
 
+    template <int dim>
+    std::vector<Point<dim>>
+    node_positions(const std::vector<double> &X)
+    {
+      std::vector<Point<dim>> result;
+      for (unsigned int n = 0; n < X.size() / dim; ++n)
+        result.push_back(node_position<dim>(n, X));
+      return result;
+    }
+
     /** The letter of a direction. */
     std::string
     axis(const unsigned int d)
@@ -356,13 +366,12 @@ namespace coapt
     // Points of a surface are meant to be about one cell apart.
     if (parameters.immersed->couples_surface)
       return;
-    const std::vector<double> X = system.solid_positions(y);
-    std::vector<Point<dim>> positions;
-    for (unsigned int n = 0; n < body.mesh.points.size(); ++n)
-      positions.push_back(node_position<dim>(n, X));
     const double h = model.smallest_cell_size();
     const double cells =
-      1 / h * deformed_spacing(body.mesh, coupling.spacing * h, positions);
+      deformed_spacing(body.mesh,
+                       coupling.spacing * h,
+                       node_positions<dim>(system.solid_positions(y))) /
+      h;
     if (cells > 0.9)
       log.warn("stretched points",
                "coupling points are " + std::to_string(cells) +
@@ -453,9 +462,8 @@ namespace coapt
   ImmersedBodies<dim>::add_shape_figures(Row &row,
                                          const std::vector<double> &X) const
   {
-    SimplexMesh<dim> deformed = body.mesh;
-    for (unsigned int n = 0; n < deformed.points.size(); ++n)
-      deformed.points[n] = node_position<dim>(n, X);
+    SimplexMesh<dim> deformed         = body.mesh;
+    deformed.points                   = node_positions<dim>(X);
     const std::vector<double> volumes = signed_volumes(deformed);
     for (unsigned int b = 0; b < ranges.size(); ++b)
       {
