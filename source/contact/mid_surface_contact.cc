@@ -397,6 +397,20 @@ namespace coapt
 
 
 
+  std::vector<Tensor<1, 3>>
+  MidSurfaceContact::spins(const std::vector<Point<3>> &points,
+                           const double *V) const
+  {
+    MidSurfaceSpin rotation(surface);
+    rotation.set_state(points, V);
+    std::vector<Tensor<1, 3>> result;
+    for (unsigned int c = 0; c < surface.n_columns(); ++c)
+      result.push_back(rotation.spin(c));
+    return result;
+  }
+
+
+
   MidSurfaceContact::Result
   MidSurfaceContact::apply_impulse(const double *X, double *V, const double dt)
   {

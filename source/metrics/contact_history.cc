@@ -42,14 +42,20 @@ namespace coapt
       {
         if (std::isnan(first[c]))
           first[c] = time;
-        const Tensor<1, 3> &n = motion.normals[c];
+        const Tensor<1, 3> &n     = motion.normals[c];
+        const Tensor<1, 3> across = (motion.gap[c] + thickness) * n;
         std::vector<std::pair<Point<3>, unsigned int>> nearest;
-        tree.query(
-          boost::geometry::index::nearest(
-            Point<3>(motion.points[c] + (motion.gap[c] + thickness) * n), 1),
-          std::back_inserter(nearest));
+        tree.query(boost::geometry::index::nearest(motion.points[c] + across,
+                                                   1),
+                   std::back_inserter(nearest));
+        const Point<3> half_way     = motion.points[c] + 0.5 * across;
+        const auto velocity_of_side = [&](const unsigned int column) {
+          return motion.velocities[column] +
+            cross_product_3d(motion.spins[column],
+                             half_way - motion.points[column]);
+        };
         const Tensor<1, 3> relative =
-          motion.velocities[c] - motion.velocities[nearest[0].second];
+          velocity_of_side(c) - velocity_of_side(nearest[0].second);
         slip[c] += dt * (relative - (relative * n) * n).norm();
       }
   }

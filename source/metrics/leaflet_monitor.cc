@@ -47,7 +47,11 @@ namespace coapt
     peaks.update(t, valve.chordae->tensions(t, X.data(), V.data()));
     const auto &contact = valve.contact->state();
     history.update(t,
-                   {contact.gap, contact.normals, points, mid_velocities(V)});
+                   {contact.gap,
+                    contact.normals,
+                    points,
+                    mid_velocities(V),
+                    valve.contact->spins(points, V.data())});
   }
 
 

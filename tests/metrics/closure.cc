@@ -255,14 +255,47 @@ namespace
                                             {0, 0, 0}};
     const std::vector<double> before     = {0.4e-3, 1., 1.},
                               after      = {0.4e-3, 0.4e-3, 1.};
-    history.update(1., {before, normals, points, velocities});
-    history.update(1.5, {after, normals, points, velocities});
+    const std::vector<Vector> spins(3);
+    history.update(1., {before, normals, points, velocities, spins});
+    history.update(1.5, {after, normals, points, velocities, spins});
     check("first contact is remembered",
           history.first_times()[0] == 1. && history.first_times()[1] == 1.5 &&
             std::isnan(history.first_times()[2]));
     check_relative("way of sliding", history.slips()[0], 2 * 1.5, 1e-12);
     check_relative("falling is no sliding", history.slips()[1], 1., 1e-12);
     check("the other plate has no contact of its own", history.slips()[2] == 0);
+  }
+
+  /** Two plates that touch turn together by a radian and more, about the place
+   * where they are: what turns as one body does not slip. If only the upper one
+   * turns, half the distance of the mid-surfaces is the lever. */
+  void
+  check_history_of_turning_plates()
+  {
+    using Vector                       = dealii::Tensor<1, 3>;
+    const std::vector<Vector> normals  = {Vector({0., 0., -1.}), Vector()};
+    const std::vector<Point<3>> points = {{3e-3, 0, 1.4e-3}, {3.2e-3, 0, 0}};
+    const std::vector<double> gap      = {0.4e-3, 1.};
+    const Vector spin({0.3, 2., 0.1});
+    const auto turned = [&](const bool lower) {
+      ContactHistory history(2, 0.5e-3, 1e-3);
+      std::vector<Vector> velocities, spins;
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const bool turns = i == 0 || lower;
+          spins.push_back(turns ? spin : Vector());
+          velocities.push_back(
+            turns ? cross_product_3d(spin, points[i] - points[lower ? 1 : 0])
+                  : Vector());
+        }
+      history.update(0.5, {gap, normals, points, velocities, spins});
+      return history.slips()[0];
+    };
+    check("plates that turn together do not slip", turned(true) < 1e-15);
+    check_relative("a plate that turns alone slips",
+                   turned(false),
+                   0.5 * 0.7e-3 * std::hypot(0.3, 2.),
+                   1e-12);
   }
 } // namespace
 
@@ -302,6 +335,7 @@ main(int argc, char **argv)
           weighted_quantile(values, weights, 0.95) == 4);
 
   check_history();
+  check_history_of_turning_plates();
 
   const auto force =
     force_on_supports({true, false, true}, {1, 2, 3, 10, 10, 10, 4, 5, 6});

@@ -70,6 +70,11 @@ namespace coapt
     Result
     apply_impulse(const double *X, double *V, const double dt);
 
+    /** Spin of the mid-surface at each column (rad/s) for the columns'
+     * @p points (m) and the nodal velocities @p V (m/s). */
+    std::vector<dealii::Tensor<1, 3>>
+    spins(const std::vector<dealii::Point<3>> &points, const double *V) const;
+
     /** State of the columns, the same on all ranks. */
     struct ColumnState
     {

@@ -8,14 +8,15 @@
 namespace coapt
 {
   /** Columns of a leaflet at one time: the gap to the nearest other part of it
-   * (m), the unit vector to that part (zero if there is none), and position (m)
-   * and velocity (m/s) of the mid-surface. */
+   * (m), the unit vector to that part (zero if there is none), and position
+   * (m), velocity (m/s) and spin (rad/s) of the mid-surface. */
   struct ColumnMotion
   {
     const std::vector<double> &gap;
     const std::vector<dealii::Tensor<1, 3>> &normals;
     const std::vector<dealii::Point<3>> &points;
     const std::vector<dealii::Tensor<1, 3>> &velocities;
+    const std::vector<dealii::Tensor<1, 3>> &spins;
   };
 
   /** Remembers when each column of a leaflet has touched another part of it for
@@ -30,7 +31,8 @@ namespace coapt
                    const double thickness);
 
     /** Takes the state at @p time (s) into account. The part that a column
-     * slides on moves like the column nearest to it. */
+     * slides on moves and turns like the column nearest to it; both sides are
+     * compared half-way between them, where friction acts. */
     void
     update(const double time, const ColumnMotion &motion);
 
