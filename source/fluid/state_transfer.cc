@@ -7,6 +7,15 @@
 
 namespace coapt
 {
+  namespace
+  {
+    /** Up to this the interpolation is at least as near to a smooth profile as
+     * a linear one. */
+    constexpr double largest_factor = 2;
+  } // namespace
+
+
+
   template <int dim>
   StateTransfer<dim>::StateTransfer(Triangulation &octree,
                                     const FluidOperator<dim> &op,
@@ -92,7 +101,7 @@ namespace coapt
     const double root =
       (std::sqrt(linear * linear + 4 * quadratic * wanted) - linear) /
       (2 * quadratic);
-    return std::min(root, 1.);
+    return std::min(root, largest_factor);
   }
 
 

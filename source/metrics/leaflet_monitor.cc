@@ -113,8 +113,8 @@ namespace coapt
 
 
   Tensor<1, 3>
-  LeafletMonitor::annulus_force(const std::vector<double> &X,
-                                const std::vector<double> &V) const
+  LeafletMonitor::tissue_on_annulus(const std::vector<double> &X,
+                                    const std::vector<double> &V) const
   {
     std::vector<double> force(X.size(), 0.);
     valve.solid->add_forces(X.data(), V.data(), force.data());
@@ -219,7 +219,7 @@ namespace coapt
 
     sample.bulging_volume =
       bulging_volume(annulus(), surface_points, valve.surface);
-    sample.annulus_force = annulus_force(X, V);
+    sample.annulus_force = tissue_on_annulus(X, V);
     measure_displacements(X, sample);
 
     std::vector<Point<3>> nodes;

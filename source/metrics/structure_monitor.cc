@@ -1,3 +1,4 @@
+#include <coapt/metrics/loads.h>
 #include <coapt/metrics/structure_monitor.h>
 
 #include <algorithm>
@@ -106,6 +107,8 @@ namespace coapt
     sample.time     = t;
     sample.pressure = valve.ventricular_pressure(t);
     measure_solid(t, X, V, sample);
+    sample.annulus_force +=
+      force_on_supports(valve.leaflet.pinned, system.load(t, X.data()));
     measure_tractions();
     measure_coaptation(sample);
 

@@ -133,7 +133,9 @@ namespace coapt
 
 
   void
-  ValveMonitor::measure_tractions(const double *y, const std::vector<double> &X)
+  ValveMonitor::measure_tractions(const double *y,
+                                  const std::vector<double> &X,
+                                  ValveSample &sample)
   {
     const std::vector<double> impulse = model.system->take_coupling_impulse();
     const auto &state                 = model.contact->state();
@@ -141,6 +143,9 @@ namespace coapt
     const std::vector<Tensor<1, 3>> normals =
       vertex_normals(surface_points, model.surface);
     window = model.contact->accumulated_time();
+    if (window > 0)
+      sample.annulus_force +=
+        force_on_supports(model.leaflet.pinned, impulse) / window;
 
     for (unsigned int c = 0; c < model.leaflet.columns.size(); ++c)
       {
@@ -248,7 +253,7 @@ namespace coapt
     measure_solid(t, X, V, sample);
     sample.point_spacing = model.point_spacing(X);
 
-    measure_tractions(y, X);
+    measure_tractions(y, X, sample);
     measure_coaptation(sample);
 
     sample.works         = audit.work();

@@ -50,6 +50,17 @@ namespace coapt
 
 
 
+  std::vector<double>
+  StructureSystem::load(const double t, const double *X) const
+  {
+    std::vector<double> force(3 * valve.solid->n_nodes(), 0.);
+    add_load(t, X, force.data());
+    dealii::Utilities::MPI::sum(force, valve.communicator, force);
+    return force;
+  }
+
+
+
   void
   StructureSystem::acceleration(const double t,
                                 const double *X,

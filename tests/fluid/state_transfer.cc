@@ -100,6 +100,31 @@ namespace
                    1e-12);
   }
 
+  /** The flanks of a jet are divided after its middle: there, cubic
+   * interpolation alone gives back a part of the kinetic energy only. */
+  template <int dim>
+  void
+  jet()
+  {
+    const auto band = [](const double width) {
+      return [width](const Point<dim> &x, const double size) {
+        return std::abs(x[1] - 0.5) < width + size ? 3u : 2u;
+      };
+    };
+    auto test = unit_box<dim>();
+    test.set_up(band(0.05));
+    test.set_velocity([](const Point<dim> &x, const int d) {
+      const double y = (x[1] - 0.5) / 0.15;
+      return d == 0 ? flow<dim>(x, 1) * std::exp(-y * y) : 0.;
+    });
+    const double before = test.op.kinetic_energy(test.u.data());
+    test.grid.adapt(band(0.1), test.op, test.u, test.p);
+    check_relative("kinetic energy of a jet in " + std::to_string(dim) + "D",
+                   test.op.kinetic_energy(test.u.data()),
+                   before,
+                   1e-13);
+  }
+
   /** Gradients of parabolas are exact inside, also where cells of two sizes
    * meet, but for nodes with a hanging one beside them. */
   template <int dim>
@@ -137,4 +162,6 @@ main(int argc, char **argv)
   parabola<3>();
   run<2>();
   run<3>();
+  jet<2>();
+  jet<3>();
 }

@@ -29,14 +29,13 @@ namespace
     return state;
   }
 
-  /** Sum of the forces on the nodes that are free. */
+  /** Sum of the forces on all nodes. */
   Tensor<1, 3>
-  total(const std::vector<double> &F, const std::vector<bool> &pinned)
+  total(const std::vector<double> &F)
   {
     Tensor<1, 3> sum;
     for (unsigned int i = 0; i < F.size(); ++i)
-      if (!pinned[i / 3])
-        sum[i % 3] += F[i];
+      sum[i % 3] += F[i];
     return sum;
   }
 } // namespace
@@ -62,8 +61,7 @@ main(int argc, char *argv[])
   PressureLoad(valve.leaflet)
     .add_forces(valve.ventricular_pressure(settled), X, pressure.data(), 0, 1);
   valve.chordae->add_forces(settled, X, still.data(), pull.data(), 0, 1);
-  const Tensor<1, 3> load    = total(pressure, valve.leaflet.pinned),
-                     chordae = total(pull, valve.leaflet.pinned);
+  const Tensor<1, 3> load = total(pressure), chordae = total(pull);
   StructureMonitor monitor(valve, system);
   const Tensor<1, 3> annulus = monitor.sample(settled, state).annulus_force;
 

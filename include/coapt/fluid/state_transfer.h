@@ -28,9 +28,13 @@ namespace coapt
    *   u = 1/n sum_m [u_m + a G_m (x - x_m)/2].
    *
    * This is linear interpolation for a = 0 and cubic Hermite interpolation for
-   * a = 1. The first takes kinetic energy from every curved profile, the
-   * second overshoots at kinks: a is chosen in [0, 1] so that the kinetic
-   * energy stays as it is.
+   * a = 1. The first takes kinetic energy from every profile that is not
+   * constant, for masses are lumped: a node half-way between two others takes
+   * half of their mass and moves with the mean of their velocities. The second
+   * gives that back if a smooth profile is divided as a whole, and about half
+   * of it if a jet is divided bit by bit. So a is chosen in [0, 2] such that
+   * the kinetic energy stays as it is; with 2 the error is that of linear
+   * interpolation with the other sign.
    */
   template <int dim>
   class StateTransfer

@@ -55,7 +55,7 @@ namespace coapt
     double energy_error        = 0;     // relative
     double closure_error       = 0;     // the same in J
     dealii::Point<3> crushed_place;     // of the smallest stretch, in the mesh
-    dealii::Tensor<1, 3> annulus_force; // of the tissue on its support
+    dealii::Tensor<1, 3> annulus_force; // of leaflet and load on its support
     EnergyAudit<3>::Works works;
     EnergyAudit<3>::Energies energies;
     std::array<double, ChordaePeaks::n_classes> chordae_tension{};
@@ -210,10 +210,10 @@ namespace coapt
     measure_displacements(const std::vector<double> &X,
                           ValveSample &sample) const;
 
-    /** Force of the tissue on its support. */
+    /** Force of the tissue on its support, without that of the load there. */
     dealii::Tensor<1, 3>
-    annulus_force(const std::vector<double> &X,
-                  const std::vector<double> &V) const;
+    tissue_on_annulus(const std::vector<double> &X,
+                      const std::vector<double> &V) const;
 
     const ValveStructure &valve;
     const Coaptation belt;

@@ -7,8 +7,11 @@
 
 namespace coapt
 {
-  /** Force of the tissue on what holds it (N): the sum of the internal forces
-   * @p force (N, node triples) over the pinned nodes. */
+  /** Sum of @p force (N, node triples) over the pinned nodes: force on what
+   * holds the tissue (N), if @p force is that of the tissue and of all that
+   * loads it. The load counts, since a pinned node carries that of half an
+   * element: without it the result would depend on the elements' size (as
+   * reactions of finite elements do). */
   dealii::Tensor<1, 3>
   force_on_supports(const std::vector<bool> &pinned,
                     const std::vector<double> &force);

@@ -56,8 +56,12 @@ namespace coapt
     /** @} */
 
   private:
+    /** Tractions of the columns, and the load's share of the force on the
+     * annulus: means since the last sample. */
     void
-    measure_tractions(const double *y, const std::vector<double> &X);
+    measure_tractions(const double *y,
+                      const std::vector<double> &X,
+                      ValveSample &sample);
 
     std::vector<double>
     ventricular_pressure(const double *y, const std::vector<double> &X) const;

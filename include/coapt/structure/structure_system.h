@@ -72,6 +72,10 @@ namespace coapt
     Powers
     powers(const double t, const double *X, const double *V) const;
 
+    /** Force of the load on all nodes (N, triples). Collective. */
+    std::vector<double>
+    load(const double t, const double *X) const;
+
     /** The rate alpha (1/s) of the mass damping. */
     const double mass_damping;
 
