@@ -70,16 +70,17 @@ namespace
                                                        (side < 0 ? j : 8 - j));
         }
       add_tetrahedra(sheets.leaflet);
-      contact = std::make_unique<MidSurfaceContact>(sheets.leaflet,
-                                                    sheets.mass,
-                                                    density,
-                                                    ContactParameters(),
-                                                    MPI_COMM_WORLD);
-      grid    = std::make_unique<FluidGrid<3>>(MPI_COMM_WORLD,
+      // It must see gaps that are too wide for a film, as well.
+      ContactParameters seen;
+      seen.search_margin   = 5 * h;
+      seen.search_interval = 1;
+      contact              = std::make_unique<MidSurfaceContact>(
+        sheets.leaflet, sheets.mass, density, seen, MPI_COMM_WORLD);
+      grid = std::make_unique<FluidGrid<3>>(MPI_COMM_WORLD,
                                             Point<3>(-8e-3, -8e-3, -4e-3),
                                             Point<3>(8e-3, 8e-3, 4e-3),
                                             std::array<unsigned int, 3>{
-                                                 {16, 16, 8}});
+                                              {16, 16, 8}});
       FluidParameters fluid_parameters;
       FluidBoundaries<3> boundaries;
       boundaries.type.fill(FluidBoundary::no_slip);
@@ -171,10 +172,21 @@ namespace
     Film film;
     film.set_gap(5e-3, 0.);
     const double down = film.force_on_fluid(2);
-    film.set_gap(1.51 * h, 1e-6);
-    check("a gap of 1.51 cells does not drain", film.drainage(1e4) == 0);
-    check("a gap of 1.51 cells couples fully",
+    film.set_gap(2.01 * h, 1e-6);
+    check("contact sees a gap of 2.01 cells",
+          std::abs(film.contact->state().gap[40] - 2.01 * h) < 1e-9,
+          film.contact->state().gap[40]);
+    check("a gap of 2.01 cells does not drain", film.drainage(1e4) == 0);
+    check("a gap of 2.01 cells couples fully",
           std::abs(film.force_on_fluid(2) / down - 1) < 1e-12);
+    film.set_gap(1.99 * h, 1e-6);
+    check("a gap of 1.99 cells couples nearly fully",
+          std::abs(film.force_on_fluid(2) / down - 1) < 0.01,
+          film.force_on_fluid(2) / down);
+    film.set_gap(1.75 * h, 1e-6);
+    check("one between 1.5 and 2 cells is freed in part",
+          std::abs(film.force_on_fluid(2) / down - 0.75) < 0.01,
+          film.force_on_fluid(2) / down);
     film.set_gap(0.5 * h, 1e-6);
     check("a film frees the half that faces it",
           std::abs(film.force_on_fluid(2) / down - 0.5) < 0.01,

@@ -70,7 +70,9 @@ return {
 # Captions by how often they are there: once for each run, for each run in
 # blood, or once.
 OF_RUN = [f"{title}, {view}"
-          for title in ("Open", r"Von Mises stress at \d+ ms",
+          for title in ("Open: Von Mises stress",
+                        "Open: Largest principal logarithmic strain",
+                        r"Von Mises stress at \d+ ms",
                         r"Largest principal logarithmic strain at \d+ ms")
           for view in ("from the atrium", "from the posterior side",
                        "cut through the middle")] + [

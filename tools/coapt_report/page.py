@@ -90,11 +90,12 @@ def finding_section(findings):
 def picture_section(runs, ranges):
     """Pictures of the open and the closed valves."""
     parts = ['<h2 id="pictures">The valve</h2>',
-             '<p class="soft">Open, the valve is at rest and plain; at the '
-             "end of the run its colours tell stress and strain. Seen from the "
-             "atrium, the anterior leaflet is at the top and the left "
-             "commissure (segments A1, P1) at the left. The cut shows the "
-             "left half, with the anterior leaflet at the right.</p>",
+             '<p class="soft">Colours tell stress and strain of the valve at '
+             "rest, open, where they are those of its prestretch, and at the "
+             "end of the run. Seen from the atrium, the anterior leaflet is at "
+             "the top and the left commissure (segments A1, P1) at the left. "
+             "The cut shows the left half, with the anterior leaflet at the "
+             "right.</p>",
              '<div class="legends">',
              legend(colours.STRESS, ranges[colours.STRESS]),
              legend(colours.STRAIN, ranges[colours.STRAIN]), "</div>"]

@@ -214,15 +214,17 @@ def blood_picture(run, top):
 
 
 def valve_pictures(run, ranges):
-    """Pairs of caption and data URL: the valve open, at rest and therefore
-    plain, and closed, in the colours of stress and of strain; each from all
-    sides. In blood, also the pressure on the cut."""
+    """Pairs of caption and data URL: the valve open, at the beginning, and
+    closed, in the colours of stress and of strain; each from all sides. In
+    blood, also the pressure on the cut."""
     time = f"at {1e3 * run.times[-1]:.0f} ms"
     pictures = [
         (f"{title}, {name}",
          valve_picture(run, frame, view, field, ranges.get(field)))
         for title, frame, field in (
-            ("Open", 0, None), (f"{STRESS.title} {time}", -1, STRESS),
+            (f"Open: {STRESS.title}", 0, STRESS),
+            (f"Open: {STRAIN.title}", 0, STRAIN),
+            (f"{STRESS.title} {time}", -1, STRESS),
             (f"{STRAIN.title} {time}", -1, STRAIN))
         for name, view in VIEWS.items()]
     if run.in_blood:
