@@ -113,13 +113,15 @@ namespace coapt
 
 
   Tensor<1, 3>
-  LeafletMonitor::tissue_on_annulus(const std::vector<double> &X,
-                                    const std::vector<double> &V) const
+  LeafletMonitor::annulus_force(const std::vector<double> &X,
+                                const std::vector<double> &V,
+                                const std::vector<double> &load) const
   {
     std::vector<double> force(X.size(), 0.);
     valve.solid->add_forces(X.data(), V.data(), force.data());
     dealii::Utilities::MPI::sum(force, valve.communicator, force);
-    return force_on_supports(valve.leaflet.pinned, force);
+    return force_on_supports(valve.leaflet.pinned, force) +
+      force_on_supports(valve.leaflet.pinned, load);
   }
 
 
@@ -191,6 +193,7 @@ namespace coapt
   LeafletMonitor::measure_solid(const double t,
                                 const std::vector<double> &X,
                                 const std::vector<double> &V,
+                                const std::vector<double> &load,
                                 ValveSample &sample)
   {
     const std::vector<double> tensions =
@@ -219,7 +222,7 @@ namespace coapt
 
     sample.bulging_volume =
       bulging_volume(annulus(), surface_points, valve.surface);
-    sample.annulus_force = tissue_on_annulus(X, V);
+    sample.annulus_force = annulus_force(X, V, load);
     measure_displacements(X, sample);
 
     std::vector<Point<3>> nodes;

@@ -1,4 +1,3 @@
-#include <coapt/metrics/loads.h>
 #include <coapt/metrics/structure_monitor.h>
 
 #include <algorithm>
@@ -106,9 +105,7 @@ namespace coapt
     ValveSample sample;
     sample.time     = t;
     sample.pressure = valve.ventricular_pressure(t);
-    measure_solid(t, X, V, sample);
-    sample.annulus_force +=
-      force_on_supports(valve.leaflet.pinned, system.load(t, X.data()));
+    measure_solid(t, X, V, system.load(t, X.data()), sample);
     measure_tractions();
     measure_coaptation(sample);
 

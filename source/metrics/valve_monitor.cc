@@ -132,20 +132,27 @@ namespace coapt
 
 
 
+  std::vector<double>
+  ValveMonitor::mean_load()
+  {
+    window                   = model.contact->accumulated_time();
+    std::vector<double> load = model.system->take_coupling_impulse();
+    for (double &entry : load)
+      entry = window > 0 ? entry / window : 0.;
+    return load;
+  }
+
+
+
   void
   ValveMonitor::measure_tractions(const double *y,
                                   const std::vector<double> &X,
-                                  ValveSample &sample)
+                                  const std::vector<double> &load)
   {
-    const std::vector<double> impulse = model.system->take_coupling_impulse();
-    const auto &state                 = model.contact->state();
-    const std::vector<double> p_v     = ventricular_pressure(y, X);
+    const auto &state             = model.contact->state();
+    const std::vector<double> p_v = ventricular_pressure(y, X);
     const std::vector<Tensor<1, 3>> normals =
       vertex_normals(surface_points, model.surface);
-    window = model.contact->accumulated_time();
-    if (window > 0)
-      sample.annulus_force +=
-        force_on_supports(model.leaflet.pinned, impulse) / window;
 
     for (unsigned int c = 0; c < model.leaflet.columns.size(); ++c)
       {
@@ -157,7 +164,7 @@ namespace coapt
         Tensor<1, 3> force;
         for (const unsigned int node : model.leaflet.columns[c])
           for (unsigned int d = 0; d < 3; ++d)
-            force[d] += impulse[3 * node + d] / window;
+            force[d] += load[3 * node + d];
         column_load[c] = force / state.reference_area[c];
         if (state.normals[c].norm_square() == 0)
           continue;
@@ -250,10 +257,11 @@ namespace coapt
     sample.drained_volume = model.film ? model.film->drained_volume() : 0.;
     measure_noise(y, sample);
     measure_flow(model.system->local_velocity(y), mid_velocities(V), sample);
-    measure_solid(t, X, V, sample);
+    const std::vector<double> load = mean_load();
+    measure_solid(t, X, V, load, sample);
     sample.point_spacing = model.point_spacing(X);
 
-    measure_tractions(y, X, sample);
+    measure_tractions(y, X, load);
     measure_coaptation(sample);
 
     sample.works         = audit.work();

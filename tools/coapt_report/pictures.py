@@ -198,8 +198,8 @@ VIEWS = {"from the atrium": (ATRIAL, None),
          "cut through the middle": (CUT, half_plane())}
 
 
-def valve_picture(run, frame, view, field=None, top=1):
-    """The leaflets, plain or coloured by a field, and the chordae."""
+def valve_picture(run, frame, view, field, top):
+    """The leaflets, coloured by a field, and the chordae."""
     look, plane = view
     return picture([leaflet_actor(run.fields("leaflet", frame), field, top,
                                   plane),
@@ -220,7 +220,7 @@ def valve_pictures(run, ranges):
     time = f"at {1e3 * run.times[-1]:.0f} ms"
     pictures = [
         (f"{title}, {name}",
-         valve_picture(run, frame, view, field, ranges.get(field)))
+         valve_picture(run, frame, view, field, ranges[field]))
         for title, frame, field in (
             (f"Open: {STRESS.title}", 0, STRESS),
             (f"Open: {STRAIN.title}", 0, STRAIN),

@@ -164,12 +164,13 @@ namespace coapt
                       const std::vector<double> &X,
                       const std::vector<double> &V);
 
-    /** Shape, stress and chordae; after accumulate_motion() of the same
-     * positions. Collective. */
+    /** Shape, stress and chordae under the @p load (N, nodal triples); after
+     * accumulate_motion() of the same positions. Collective. */
     void
     measure_solid(const double t,
                   const std::vector<double> &X,
                   const std::vector<double> &V,
+                  const std::vector<double> &load,
                   ValveSample &sample);
 
     /** Velocity of the mid-surface for the nodal velocities @p V, by column. */
@@ -210,10 +211,11 @@ namespace coapt
     measure_displacements(const std::vector<double> &X,
                           ValveSample &sample) const;
 
-    /** Force of the tissue on its support, without that of the load there. */
+    /** Force of the tissue and its @p load on the support. */
     dealii::Tensor<1, 3>
-    tissue_on_annulus(const std::vector<double> &X,
-                      const std::vector<double> &V) const;
+    annulus_force(const std::vector<double> &X,
+                  const std::vector<double> &V,
+                  const std::vector<double> &load) const;
 
     const ValveStructure &valve;
     const Coaptation belt;

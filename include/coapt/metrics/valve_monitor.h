@@ -56,12 +56,15 @@ namespace coapt
     /** @} */
 
   private:
-    /** Tractions of the columns, and the load's share of the force on the
-     * annulus: means since the last sample. */
+    /** Load of the blood on all nodes (N, triples), the mean since the last
+     * sample; begins the next window. Collective. */
+    std::vector<double>
+    mean_load();
+
     void
     measure_tractions(const double *y,
                       const std::vector<double> &X,
-                      ValveSample &sample);
+                      const std::vector<double> &load);
 
     std::vector<double>
     ventricular_pressure(const double *y, const std::vector<double> &X) const;
