@@ -33,8 +33,10 @@ namespace coapt
 
   template <int dim>
   void
-  CellWork<dim>::place(const std::vector<Point<dim>> &points)
+  CellWork<dim>::place(const std::vector<Point<dim>> &points,
+                       const double share_in_large)
   {
+    this->share_in_large = share_in_large;
     n_points.clear();
     for (const Point<dim> &point : points)
       ++n_points[number(point)];
@@ -50,10 +52,20 @@ namespace coapt
     const unsigned int of_cell = 40, of_idle_cell = 12, of_point = 31;
     if (lumen && lumen(center) > 0.5 * std::sqrt(double(dim)) * size)
       return of_idle_cell;
-    if (size > 1.5 * finest)
+    if (size > 3 * finest)
       return of_cell;
-    const auto found = n_points.find(number(center));
-    return of_cell + (found == n_points.end() ? 0 : found->second * of_point);
+    const bool large = size > 1.5 * finest;
+    double points    = 0;
+    for (unsigned int part = 0; part < (large ? 1u << dim : 1u); ++part)
+      {
+        Point<dim> middle = center;
+        for (unsigned int d = 0; d < dim && large; ++d)
+          middle[d] += ((part >> d) & 1 ? 0.25 : -0.25) * size;
+        const auto found = n_points.find(number(middle));
+        points += found == n_points.end() ? 0 : found->second;
+      }
+    return of_cell +
+      std::lround((large ? share_in_large : 1.) * points * of_point);
   }
 
 

@@ -127,6 +127,8 @@ namespace coapt
     std::vector<Tensor<1, 3>> directions(positions.size());
     for (unsigned int id = 0; id < positions.size(); ++id)
       {
+        if (!points.is_active(id))
+          continue;
         const SamplePoint<3> &point = points.samples()[id];
         const Station station       = station_at(point);
         if (station.weight > 0 &&
@@ -290,6 +292,8 @@ namespace coapt
     int hint = -1;
     for (unsigned int id = 0; id < positions.size(); ++id)
       {
+        if (!points.is_active(id))
+          continue;
         const SamplePoint<3> &point = points.samples()[id];
         const Station station       = station_at(point);
         const double height =

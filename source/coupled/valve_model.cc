@@ -135,23 +135,36 @@ namespace coapt
 
 
 
+  NestedLattice<3>
+  ValveModel::coupling_lattice() const
+  {
+    const auto lattice = [this](const auto &make) {
+      return make(leaflet,
+                  parameters.coupling.spacing * parameters.mesh.finest_cell(),
+                  parameters.coupling.expected_stretch,
+                  parameters.coupling.min_layers);
+    };
+    if (parameters.mesh.levels_coarser_apart > 0)
+      return lattice(nested_leaflet_lattice);
+    return {lattice(leaflet_lattice), {}};
+  }
+
+
+
   void
   ValveModel::build_coupling(Timing &timing)
   {
     check_number_of_points();
-    const std::vector<SamplePoint<3>> lattice =
-      leaflet_lattice(leaflet,
-                      parameters.coupling.spacing *
-                        parameters.mesh.finest_cell(),
-                      parameters.coupling.expected_stretch,
-                      parameters.coupling.min_layers);
-    points =
-      std::make_unique<CouplingPoints<3>>(leaflet.mesh, lattice, communicator);
-    column_of_point = nearest_columns(leaflet, lattice);
+    const NestedLattice<3> lattice = coupling_lattice();
+    points          = std::make_unique<CouplingPoints<3>>(leaflet.mesh,
+                                                 lattice,
+                                                 parameters.mesh.finest_cell(),
+                                                 communicator);
+    column_of_point = nearest_columns(leaflet, lattice.points);
 
     const std::vector<double> X = reference_positions();
-    band.place(points->positions(X.data()), {}, facing_points(X));
-    work->place(points->positions(X.data()));
+    band.place(dense_positions(X), {}, facing_points(X));
+    place_work(X);
     grid->refine_to([this](const Point<3> &center, const double size) {
       return wanted_level(center, size);
     });
@@ -240,11 +253,29 @@ namespace coapt
 
 
 
+  std::vector<Point<3>>
+  ValveModel::dense_positions(const std::vector<double> &X) const
+  {
+    std::vector<Point<3>> result = points->positions(X.data());
+    result.resize(points->n_points());
+    return result;
+  }
+
+
+
+  void
+  ValveModel::place_work(const std::vector<double> &X)
+  {
+    const double all = points->samples().size(), dense = points->n_points();
+    work->place(dense_positions(X), all > dense ? (all - dense) / dense : 1);
+  }
+
+
+
   bool
   ValveModel::band_is_used_up(const std::vector<double> &y) const
   {
-    return band.is_used_up(
-      points->positions(system->solid_positions(y.data()).data()));
+    return band.is_used_up(dense_positions(system->solid_positions(y.data())));
   }
 
 
@@ -275,8 +306,8 @@ namespace coapt
     const std::vector<bool> facing =
       facing_parts(mid_surface(X), across, parameters.mesh.facing_distance);
     std::vector<bool> result;
-    for (const unsigned int column : column_of_point)
-      result.push_back(facing[column]);
+    for (unsigned int id = 0; id < points->n_points(); ++id)
+      result.push_back(facing[column_of_point[id]]);
     return result;
   }
 
@@ -285,12 +316,11 @@ namespace coapt
   bool
   ValveModel::adapt(std::vector<double> &y, Log &log)
   {
-    const std::vector<double> X   = system->solid_positions(y.data());
-    const std::vector<Point<3>> x = points->positions(X.data());
-    band.place(x,
-               points->positions(system->solid_velocities(y.data()).data()),
+    const std::vector<double> X = system->solid_positions(y.data());
+    band.place(dense_positions(X),
+               dense_positions(system->solid_velocities(y.data())),
                facing_points(X));
-    work->place(x);
+    place_work(X);
     if (parameters.mesh.follows_flow() &&
         flow_indicator.update(*grid,
                               *fluid,

@@ -208,41 +208,147 @@ namespace coapt
         }
     }
 
-    void
-    fill_quad(const Leaflet &leaflet,
-              const unsigned int quad,
-              const ColumnMap &map,
-              const std::vector<unsigned int> &cells,
-              const QuadLines &lines,
-              const unsigned int n_layers,
-              std::vector<SamplePoint<3>> &samples)
+    /** Group of each of @p n layers: pairs from both sides inwards, and what
+     * has no partner alone. */
+    std::vector<unsigned int>
+    pairs_of_layers(const unsigned int n)
     {
-      for (const double u : lines[0].places)
-        for (const double v : lines[1].places)
-          for (unsigned int k = 0; k < n_layers; ++k)
-            {
-              SamplePoint<3> sample;
-              sample.quad  = quad;
-              sample.depth = (k + 0.5) / n_layers;
-              locate(leaflet.mesh, cells, map(u, v, sample.depth), sample);
-              sample.volume = map.jacobian(u, v, sample.depth) *
-                lines[0].width * lines[1].width / n_layers;
-              samples.push_back(sample);
-            }
+      std::vector<unsigned int> group(n);
+      const unsigned int half = (n + 1) / 2;
+      for (unsigned int k = 0; k < half; ++k)
+        group[k] = n % 2 == 1 && k == half - 1 ? half / 2 : k / 2;
+      const unsigned int last = n % 2 == 1 ? 2 * (half / 2) : n / 2 - 1;
+      for (unsigned int k = half; k < n; ++k)
+        group[k] = last - group[n - 1 - k];
+      return group;
     }
 
-    /** Makes the volumes add up to that of the mesh. */
-    void
-    rescale_volumes(const SimplexMesh<3> &mesh,
-                    std::vector<SamplePoint<3>> &samples)
+    unsigned int
+    largest_group(const std::vector<unsigned int> &group)
     {
-      double sum = 0;
-      for (const SamplePoint<3> &sample : samples)
-        sum += sample.volume;
-      const double scale = total_volume(mesh) / sum;
-      for (SamplePoint<3> &sample : samples)
-        sample.volume *= scale;
+      return *std::max_element(group.begin(), group.end());
     }
+
+    /** The lines of points of a leaflet, and what is at their crossings. */
+    class LeafletLines
+    {
+    public:
+      LeafletLines(const Leaflet &leaflet,
+                   const double spacing,
+                   const double stretch,
+                   const unsigned int min_layers)
+        : leaflet(leaflet)
+        , n_layers(std::max<unsigned int>(min_layers,
+                                          std::ceil(leaflet.thickness /
+                                                    spacing * (1 - 1e-12))))
+        , cells(cells_of_quads(leaflet))
+        , lines(leaflet.quads.size())
+      {
+        for (unsigned int q = 0; q < leaflet.quads.size(); ++q)
+          maps.emplace_back(leaflet, q);
+        for (const QuadStrip &strip : quad_strips(leaflet.quads))
+          add_lines(strip, maps, spacing / stretch, lines);
+      }
+
+      std::vector<SamplePoint<3>>
+      points() const
+      {
+        std::vector<SamplePoint<3>> samples;
+        for (unsigned int q = 0; q < leaflet.quads.size(); ++q)
+          for (const double u : lines[q][0].places)
+            for (const double v : lines[q][1].places)
+              for (unsigned int k = 0; k < n_layers; ++k)
+                {
+                  const double depth = (k + 0.5) / n_layers;
+                  samples.push_back(sample(q, u, v, depth));
+                  samples.back().volume = maps[q].jacobian(u, v, depth) *
+                    lines[q][0].width * lines[q][1].width / n_layers;
+                }
+        rescale_volumes(samples);
+        return samples;
+      }
+
+      /** Of points(), and what stands for groups of them. */
+      NestedLattice<3>
+      nested(const unsigned int min_layers) const
+      {
+        NestedLattice<3> result{points(), {}};
+        std::vector<unsigned int> of_layer = pairs_of_layers(n_layers);
+        if (largest_group(of_layer) + 1 < min_layers)
+          std::iota(of_layer.begin(), of_layer.end(), 0);
+        for (unsigned int q = 0; q < leaflet.quads.size(); ++q)
+          add_groups(q, of_layer, result);
+        return result;
+      }
+
+    private:
+      SamplePoint<3>
+      sample(const unsigned int quad,
+             const double u,
+             const double v,
+             const double depth) const
+      {
+        SamplePoint<3> result;
+        result.quad  = quad;
+        result.depth = depth;
+        locate(leaflet.mesh, cells[quad], maps[quad](u, v, depth), result);
+        return result;
+      }
+
+      /** Makes the volumes add up to that of the mesh. */
+      void
+      rescale_volumes(std::vector<SamplePoint<3>> &samples) const
+      {
+        double sum = 0;
+        for (const SamplePoint<3> &sample : samples)
+          sum += sample.volume;
+        const double scale = total_volume(leaflet.mesh) / sum;
+        for (SamplePoint<3> &sample : samples)
+          sample.volume *= scale;
+      }
+
+      /** Appends the points that stand for the groups of the quad, whose dense
+       * points are the next that have none. */
+      void
+      add_groups(const unsigned int quad,
+                 const std::vector<unsigned int> &of_layer,
+                 NestedLattice<3> &lattice) const
+      {
+        const auto &u               = lines[quad][0].places;
+        const auto &v               = lines[quad][1].places;
+        const unsigned int n_deep   = largest_group(of_layer) + 1,
+                           n_across = (v.size() + 1) / 2,
+                           n        = (u.size() + 1) / 2 * n_across * n_deep,
+                           first    = lattice.points.size();
+        std::vector<dealii::Tensor<1, 3>> places(n);
+        std::vector<double> volumes(n, 0.);
+        for (unsigned int i = 0; i < u.size(); ++i)
+          for (unsigned int j = 0; j < v.size(); ++j)
+            for (unsigned int k = 0; k < n_layers; ++k)
+              {
+                const unsigned int group =
+                  (i / 2 * n_across + j / 2) * n_deep + of_layer[k];
+                const SamplePoint<3> &dense =
+                  lattice.points[lattice.stand_in.size()];
+                places[group] +=
+                  dense.volume * Point<3>(u[i], v[j], dense.depth);
+                volumes[group] += dense.volume;
+                lattice.stand_in.push_back(first + group);
+              }
+        for (unsigned int group = 0; group < n; ++group)
+          {
+            const dealii::Tensor<1, 3> x = places[group] / volumes[group];
+            lattice.points.push_back(sample(quad, x[0], x[1], x[2]));
+            lattice.points.back().volume = volumes[group];
+          }
+      }
+
+      const Leaflet &leaflet;
+      const unsigned int n_layers;
+      const std::vector<std::vector<unsigned int>> cells;
+      std::vector<ColumnMap> maps;
+      std::vector<QuadLines> lines;
+    };
   } // namespace
 
 
@@ -255,19 +361,20 @@ namespace coapt
   {
     check_point_spacing(spacing);
     check_point_spacing(spacing / stretch);
-    const unsigned int n_layers = std::max<unsigned int>(
-      min_layers, std::ceil(leaflet.thickness / spacing * (1 - 1e-12)));
-    const auto cells = cells_of_quads(leaflet);
-    std::vector<ColumnMap> maps;
-    for (unsigned int q = 0; q < leaflet.quads.size(); ++q)
-      maps.emplace_back(leaflet, q);
-    std::vector<QuadLines> lines(leaflet.quads.size());
-    for (const QuadStrip &strip : quad_strips(leaflet.quads))
-      add_lines(strip, maps, spacing / stretch, lines);
-    std::vector<SamplePoint<3>> samples;
-    for (unsigned int q = 0; q < leaflet.quads.size(); ++q)
-      fill_quad(leaflet, q, maps[q], cells[q], lines[q], n_layers, samples);
-    rescale_volumes(leaflet.mesh, samples);
-    return samples;
+    return LeafletLines(leaflet, spacing, stretch, min_layers).points();
+  }
+
+
+
+  NestedLattice<3>
+  nested_leaflet_lattice(const Leaflet &leaflet,
+                         const double spacing,
+                         const double stretch,
+                         const unsigned int min_layers)
+  {
+    check_point_spacing(spacing);
+    check_point_spacing(spacing / stretch);
+    return LeafletLines(leaflet, spacing, stretch, min_layers)
+      .nested(min_layers);
   }
 } // namespace coapt

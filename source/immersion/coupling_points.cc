@@ -17,13 +17,28 @@ namespace coapt
     const SimplexMesh<dim> &mesh,
     const std::vector<SamplePoint<dim>> &points,
     MPI_Comm communicator)
+    : CouplingPoints(mesh, NestedLattice<dim>{points, {}}, 0, communicator)
+  {
+  }
+
+
+
+  template <int dim>
+  CouplingPoints<dim>::CouplingPoints(const SimplexMesh<dim> &mesh,
+                                      const NestedLattice<dim> &lattice,
+                                      const double dense_cell,
+                                      MPI_Comm communicator)
     : mesh(mesh)
-    , points(points)
+    , points(lattice.points)
+    , stand_in(lattice.stand_in)
+    , dense_cell(dense_cell)
+    , active(points.size(), true)
     , on_surface(!points.empty() && points[0].outwards.norm_square() > 0)
     , communicator(communicator)
     , solid_input(mesh.points.size())
     , solid_output(mesh.points.size())
   {
+    std::fill(active.begin() + n_points(), active.end(), false);
   }
 
 
@@ -162,8 +177,12 @@ namespace coapt
     multiplier.clear();
     std::vector<Lanes> positions(mesh.points.size());
     to_lanes(X, positions);
+    if (!stand_in.empty())
+      choose_active(fluid, positions, all);
     for (unsigned int id = 0; id < points.size(); ++id)
       {
+        if (!active[id])
+          continue;
         Stencil stencil = unplaced_stencil(id);
         if (!place(stencil, id, fluid, positions) ||
             fluid.cell(stencil.cell).owner_rank != rank)
@@ -175,6 +194,68 @@ namespace coapt
       }
     sort_by_cell(multiplier.data());
     find_runs(fluid);
+  }
+
+
+
+  template <int dim>
+  bool
+  CouplingPoints<dim>::is_amid_large_cells(const FluidOperator<dim> &fluid,
+                                           const Stencil &stencil) const
+  {
+    const auto &cell    = fluid.cell(stencil.cell);
+    const auto is_large = [&](const int number) {
+      return number < 0 || fluid.cell(number).size > 1.5 * dense_cell;
+    };
+    bool result = is_large(stencil.cell);
+    for (unsigned int d = 0; d < dim; ++d)
+      for (const double way : {-1., 1.})
+        {
+          Point<dim> beside;
+          for (unsigned int e = 0; e < dim; ++e)
+            beside[e] = cell.lower[e] + stencil.local[e] * cell.size;
+          beside[d] += way * cell.size;
+          result = result && is_large(fluid.locate(beside));
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  CouplingPoints<dim>::choose_active(const FluidOperator<dim> &fluid,
+                                     const std::vector<Lanes> &positions,
+                                     std::vector<double> &multiplier)
+  {
+    const int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
+    std::vector<int> is_dense(points.size(), 0);
+    for (unsigned int id = 0; id < stand_in.size(); ++id)
+      {
+        Stencil stencil = unplaced_stencil(id);
+        if (place(stencil, id, fluid, positions) &&
+            fluid.cell(stencil.cell).owner_rank == rank &&
+            !is_amid_large_cells(fluid, stencil))
+          is_dense[stand_in[id]] = 1;
+      }
+    dealii::Utilities::MPI::max(is_dense, communicator, is_dense);
+
+    for (unsigned int id = stand_in.size(); id < points.size(); ++id)
+      if (!active[id])
+        std::fill_n(multiplier.begin() + dim * id, dim, 0.);
+    for (unsigned int id = 0; id < stand_in.size(); ++id)
+      {
+        const unsigned int one = stand_in[id];
+        const double share     = points[id].volume / points[one].volume;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (active[one])
+            multiplier[dim * id + d] = multiplier[dim * one + d];
+          else
+            multiplier[dim * one + d] += share * multiplier[dim * id + d];
+        active[id] = is_dense[one];
+      }
+    for (unsigned int id = stand_in.size(); id < points.size(); ++id)
+      active[id] = !is_dense[id];
   }
 
 

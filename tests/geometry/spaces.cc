@@ -292,6 +292,65 @@ test_leaflet_lattice()
   check("leaflet: spacing 0 refused", refused);
 }
 
+void
+test_nested_lattice()
+{
+  const Leaflet leaflet = generate_leaflet(ValveParameters());
+  const double spacing = 0.3125 * mm, stretch = 1.3;
+  const auto dense  = leaflet_lattice(leaflet, spacing, stretch);
+  const auto nested = nested_leaflet_lattice(leaflet, spacing, stretch);
+  test_barycentrics("nested:", nested.points);
+  check("nested: the dense points come first",
+        nested.stand_in.size() == dense.size() &&
+          dense.back().volume == nested.points[dense.size() - 1].volume);
+
+  std::vector<double> volume(nested.points.size(), 0.);
+  std::vector<Point<3>> centre(nested.points.size());
+  std::vector<unsigned int> members(nested.points.size(), 0);
+  for (unsigned int id = 0; id < dense.size(); ++id)
+    {
+      const unsigned int one = nested.stand_in[id];
+      volume[one] += dense[id].volume;
+      centre[one] += dense[id].volume * position(leaflet.mesh, dense[id]);
+      ++members[one];
+    }
+  double worst = 0, off = 0, apart = 0;
+  for (unsigned int one = dense.size(); one < nested.points.size(); ++one)
+    {
+      const Point<3> x = position(leaflet.mesh, nested.points[one]);
+      worst =
+        std::max(worst, std::abs(volume[one] / nested.points[one].volume - 1));
+      off = std::max(off, x.distance(centre[one] / volume[one]));
+    }
+  for (unsigned int id = 0; id < dense.size(); ++id)
+    apart = std::max(apart,
+                     position(leaflet.mesh, dense[id])
+                       .distance(position(leaflet.mesh,
+                                          nested.points[nested.stand_in[id]])));
+  check("nested: volumes of groups", worst < 1e-12, worst);
+  check("nested: centres of groups", off < 0.01 * mm, off);
+  // half the diagonal of two by two by two cells of the lattice, less half a
+  // cell's
+  check("nested: no point is far from what stands for it",
+        apart < 0.5 *
+            std::sqrt(2 * spacing * spacing / stretch / stretch +
+                      mm * mm / 16) *
+            1.15,
+        apart);
+  const unsigned int largest =
+    *std::max_element(members.begin(), members.end());
+  const double mean =
+    dense.size() / double(nested.points.size() - dense.size());
+  check("nested: groups", largest == 8 && mean > 4, mean);
+
+  // two layers are not joined
+  bool joined = false;
+  for (const auto &sample :
+       nested_leaflet_lattice(leaflet, 0.6 * mm, stretch).points)
+    joined = joined || std::abs(std::abs(sample.depth - 0.5) - 0.25) > 1e-9;
+  check("nested: at least two layers", !joined);
+}
+
 template <int dim>
 void
 test_simplex_lattice(const SimplexMesh<dim> &mesh, const double volume)
@@ -480,6 +539,7 @@ main(int argc, char **argv)
   test_lumen();
   test_quad_strips();
   test_leaflet_lattice();
+  test_nested_lattice();
   SimplexMesh<2> triangle;
   triangle.points = {Point<2>(1, 1), Point<2>(2, 1), Point<2>(1, 2)};
   triangle.cells  = {{{0, 1, 2}}};

@@ -102,8 +102,21 @@ namespace coapt
     void
     check_number_of_points() const;
 
+    /** Coupling points; in groups if some lie in larger cells. */
+    NestedLattice<3>
+    coupling_lattice() const;
+
     void
     build_coupling(Timing &timing);
+
+    /** Positions of all coupling points for nodal positions @p X (m), or
+     * velocities for nodal velocities; without those that stand for groups. */
+    std::vector<dealii::Point<3>>
+    dense_positions(const std::vector<double> &X) const;
+
+    /** Tells where the coupling points make work. */
+    void
+    place_work(const std::vector<double> &X);
 
     /** A fluid cell of this rank that has the @p node. */
     unsigned int

@@ -50,6 +50,30 @@ namespace coapt
                   double stretch          = 1.35,
                   unsigned int min_layers = 2);
 
+  /** Points of two densities for the same solid. */
+  template <int dim>
+  struct NestedLattice
+  {
+    /** The dense points, then those that stand for a group of them each: at
+     * their centre, with their volume. */
+    std::vector<SamplePoint<dim>> points;
+
+    /** For each dense point, the number of the one that stands for its group.
+     */
+    std::vector<unsigned int> stand_in;
+  };
+
+  /**
+   * leaflet_lattice(), and points for fluid cells twice as large: one for each
+   * group of up to 2 x 2 lines of a quadrilateral and two layers, of which
+   * at least @p min_layers stay. Groups of layers are alike on both sides.
+   */
+  NestedLattice<3>
+  nested_leaflet_lattice(const Leaflet &leaflet,
+                         double spacing,
+                         double stretch          = 1.35,
+                         unsigned int min_layers = 2);
+
   /**
    * Points that fill any mesh: each simplex is cut into n^dim parts of equal
    * volume (n such that its longest edge / n <= @p spacing) as Freudenthal

@@ -27,6 +27,12 @@ namespace coapt
    * exchange. It may wander through the ghost layer before its rank changes.
    * Interpolation weights are computed once a step by update() and frozen over
    * the stages.
+   *
+   * Points may be in groups that one point each can stand for: where all of a
+   * group, and all cells beside them, are in larger cells, it carries the
+   * coupling in their place, so that points are not denser than the cells
+   * ask for. Who does is decided by distribute(); forces stay the same when it
+   * changes.
    */
   template <int dim>
   class CouplingPoints
@@ -37,6 +43,13 @@ namespace coapt
      * it such that the flow comes to rest at the surface (wall_offset()). */
     CouplingPoints(const SimplexMesh<dim> &mesh,
                    const std::vector<SamplePoint<dim>> &points,
+                   MPI_Comm communicator);
+
+    /** The same for points some of which stand for groups of the others, in
+     * cells that are larger than @p dense_cell (m). */
+    CouplingPoints(const SimplexMesh<dim> &mesh,
+                   const NestedLattice<dim> &lattice,
+                   const double dense_cell,
                    MPI_Comm communicator);
 
     /**
@@ -147,14 +160,22 @@ namespace coapt
       return stencils[q].scale > 0 ? stencils[q].cell : -1;
     }
 
-    /** Number of points of all ranks. */
+    /** Number of points of all ranks; of those in groups, but not of what
+     * stands for these. */
     unsigned int
     n_points() const
     {
-      return points.size();
+      return stand_in.empty() ? points.size() : stand_in.size();
     }
 
-    /** All points, by number. */
+    /** Whether the point with the number @p id carries coupling now. */
+    bool
+    is_active(const unsigned int id) const
+    {
+      return active[id];
+    }
+
+    /** All points, by number; what stands for groups comes last. */
     const std::vector<SamplePoint<dim>> &
     samples() const
     {
@@ -231,6 +252,20 @@ namespace coapt
     Stencil
     unplaced_stencil(const unsigned int id) const;
 
+    /** Whether the point with this @p stencil is in a cell larger than
+     * dense_cell, and beside such cells only. */
+    bool
+    is_amid_large_cells(const FluidOperator<dim> &fluid,
+                        const Stencil &stencil) const;
+
+    /** Decides who carries the coupling, for the nodes @p positions of the
+     * solid, and hands multipliers on: @p multiplier holds those of all points
+     * by number. Collective. */
+    void
+    choose_active(const FluidOperator<dim> &fluid,
+                  const std::vector<Lanes> &positions,
+                  std::vector<double> &multiplier);
+
     /** Which nodes of a fluid cell are held at rest, a bit for each. Nodes that
      * follow a given velocity are not among them. */
     static unsigned char
@@ -275,6 +310,15 @@ namespace coapt
 
     const SimplexMesh<dim> &mesh;
     std::vector<SamplePoint<dim>> points;
+
+    /** For each point in a group the number of the one that can stand for it;
+     * empty if there are no groups. Cells larger than dense_cell (m) ask for
+     * that. */
+    std::vector<unsigned int> stand_in;
+    double dense_cell;
+
+    /** Whether a point carries coupling now. */
+    std::vector<bool> active;
 
     /** Whether the points are those of surfaces: all or none are. */
     bool on_surface;
