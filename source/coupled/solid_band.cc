@@ -54,16 +54,23 @@ namespace coapt
 
   namespace
   {
-    /** Distance (m) of @p x from the nearest of the points. */
+    /** Whether one of the points is nearer to @p x than @p radius (m). */
     template <int dim>
-    double
-    distance(const Point<dim> &x, const dealii::RTree<Point<dim>> &points)
+    bool
+    is_one_within(const double radius,
+                  const Point<dim> &x,
+                  const dealii::RTree<Point<dim>> &points)
     {
-      std::vector<Point<dim>> nearest;
-      points.query(boost::geometry::index::nearest(x, 1),
-                   std::back_inserter(nearest));
-      return nearest.empty() ? std::numeric_limits<double>::max()
-                             : x.distance(nearest[0]);
+      namespace bgi = boost::geometry::index;
+      dealii::Tensor<1, dim> reach;
+      for (unsigned int d = 0; d < dim; ++d)
+        reach[d] = radius;
+      const dealii::BoundingBox<dim> box({x - reach, x + reach});
+      const auto is_near = [&](const Point<dim> &point) {
+        return x.distance(point) < radius;
+      };
+      return points.qbegin(bgi::intersects(box) && bgi::satisfies(is_near)) !=
+        points.qend();
     }
   } // namespace
 
@@ -74,9 +81,10 @@ namespace coapt
   SolidBand<dim>::is_near(const Point<dim> &x) const
   {
     const double cells = parameters.band + 1;
-    return distance(x, facing) < cells * parameters.finest_cell() ||
-      distance(x, apart) <
-      cells * parameters.cell_size(parameters.level_apart());
+    return is_one_within(cells * parameters.finest_cell(), x, facing) ||
+      is_one_within(cells * parameters.cell_size(parameters.level_apart()),
+                    x,
+                    apart);
   }
 
 
@@ -90,8 +98,9 @@ namespace coapt
   {
     const double cell   = parameters.cell_size(level);
     const double margin = 0.5 * std::sqrt(double(dim)) * (size - cell);
-    return distance(center, tree) <
-      parameters.band * cell + std::max(0., margin);
+    return is_one_within(parameters.band * cell + std::max(0., margin),
+                         center,
+                         tree);
   }
 
 
