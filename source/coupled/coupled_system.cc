@@ -28,7 +28,9 @@ namespace coapt
     , communicator(communicator)
     , timing(timing)
     , sections({timing.section("Waiting"),
-                timing.section("Fluid exchange"),
+                timing.section("Fluid nodes"),
+                timing.section("Ghost exchange"),
+                timing.section("Point exchange"),
                 timing.section("Solid exchange"),
                 timing.section("Fluid"),
                 timing.section("Coupling"),
@@ -103,8 +105,15 @@ namespace coapt
       nodes.gather(y + state_layout.position(), X.data());
       nodes.gather(y + state_layout.solid_velocity(), V.data());
     }
-    const auto scope = timing.scope(sections.fluid_exchange);
-    fluid.gather(y + state_layout.velocity(), fluid_velocity.data());
+    const auto scope = timing.scope(sections.fluid_nodes);
+    std::copy_n(y + state_layout.velocity(),
+                dim * state_layout.n_fluid_nodes,
+                fluid_velocity.data());
+    {
+      const auto exchange = timing.scope(sections.ghost_exchange);
+      fluid.numbering().update_ghosts(fluid_velocity.data());
+    }
+    fluid.numbering().interpolate_hanging_nodes(fluid_velocity.data());
   }
 
 
@@ -226,8 +235,13 @@ namespace coapt
   void
   CoupledSystem<dim>::finish_fluid(const double t, double *acceleration)
   {
-    const auto scope = timing.scope(sections.fluid_exchange);
-    fluid.finish(fluid_force.data(), acceleration);
+    const auto scope = timing.scope(sections.fluid_nodes);
+    fluid.numbering().condense_hanging_nodes(fluid_force.data());
+    {
+      const auto exchange = timing.scope(sections.ghost_exchange);
+      fluid.numbering().add_ghosts(fluid_force.data());
+    }
+    fluid.divide_by_mass(fluid_force.data(), acceleration);
     fluid.set_boundary_acceleration(t, acceleration);
   }
 
@@ -408,6 +422,7 @@ namespace coapt
   void
   CoupledSystem<dim>::redistribute_points(std::vector<double> &y)
   {
+    const auto scope                    = timing.scope(sections.point_exchange);
     const std::vector<double> positions = solid_positions(y.data());
     std::vector<double> multiplier(y.begin() + state_layout.multiplier(),
                                    y.end());

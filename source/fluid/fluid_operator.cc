@@ -99,6 +99,16 @@ namespace coapt
                              double *acceleration_owned) const
   {
     sum_forces(force_local);
+    divide_by_mass(force_local, acceleration_owned);
+  }
+
+
+
+  template <int dim>
+  void
+  FluidOperator<dim>::divide_by_mass(const double *force_local,
+                                     double *acceleration_owned) const
+  {
     for (unsigned int i = 0; i < inverse_mass.size(); ++i)
       acceleration_owned[i] = inverse_mass[i] * force_local[i];
   }

@@ -238,6 +238,15 @@ namespace coapt
   NodeNumbering<dim>::collect(double *local) const
   {
     condense_hanging_nodes(local);
+    add_ghosts(local);
+  }
+
+
+
+  template <int dim>
+  void
+  NodeNumbering<dim>::add_ghosts(double *local) const
+  {
     const unsigned int n = dim * n_owned();
     const ArrayView<double> ghosts(local + n, vectors->n_ghost_indices());
     const ArrayView<double> buffer(send_buffer.data(), send_buffer.size());

@@ -292,8 +292,8 @@ namespace coapt
     /** Sections of the right-hand side and of the end of a step. */
     struct Sections
     {
-      unsigned int waiting, fluid_exchange, solid_exchange, fluid, coupling,
-        solid, loads, contact, weights;
+      unsigned int waiting, fluid_nodes, ghost_exchange, point_exchange,
+        solid_exchange, fluid, coupling, solid, loads, contact, weights;
     };
 
     Timing &timing;

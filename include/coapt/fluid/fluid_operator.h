@@ -133,6 +133,11 @@ namespace coapt
     void
     finish(double *force_local, double *acceleration_owned) const;
 
+    /** Divides forces that have been summed by the lumped mass: the last part
+     * of finish(). */
+    void
+    divide_by_mass(const double *force_local, double *acceleration_owned) const;
+
     /** Sums forces (N) over hanging nodes and ranks into the owned part of
      * @p force_local. At held nodes they are the forces of the fluid on what
      * holds it. Collective; finish() includes it. */

@@ -72,9 +72,23 @@ namespace coapt
     void
     collect(double *local) const;
 
+    /** Adds the entries of ghosts to their owners and sets them to zero.
+     * Collective. */
+    void
+    add_ghosts(double *local) const;
+
     /** Overwrites the ghosts by the values of their owners. Collective. */
     void
     update_ghosts(double *local) const;
+
+    /** Sets the hanging nodes to the means of their masters. */
+    void
+    interpolate_hanging_nodes(double *local) const;
+
+    /** Adds the entries of hanging nodes to their masters and sets them to
+     * zero. */
+    void
+    condense_hanging_nodes(double *local) const;
 
   private:
     /** Finds the masters of all owned hanging nodes, and fetches those of
@@ -89,11 +103,6 @@ namespace coapt
     build_hanging_rows(const dealii::IndexSet &relevant,
                        const std::vector<double> &global_masters);
 
-    void
-    interpolate_hanging_nodes(double *local) const;
-
-    void
-    condense_hanging_nodes(double *local) const;
 
     std::shared_ptr<dealii::DoFHandler<dim, dim>> dofs;
     // made anew each time: deal.II's Partitioner fails when it is reused with
