@@ -38,7 +38,7 @@ namespace coapt
     , solid_input(mesh.points.size())
     , solid_output(mesh.points.size())
   {
-    std::fill(active.begin() + n_points(), active.end(), false);
+    std::fill_n(active.begin(), stand_in.size(), false);
   }
 
 
@@ -178,7 +178,7 @@ namespace coapt
     std::vector<Lanes> positions(mesh.points.size());
     to_lanes(X, positions);
     if (!stand_in.empty())
-      choose_active(fluid, positions, all);
+      make_dense(fluid, positions, all);
     for (unsigned int id = 0; id < points.size(); ++id)
       {
         if (!active[id])
@@ -224,38 +224,32 @@ namespace coapt
 
   template <int dim>
   void
-  CouplingPoints<dim>::choose_active(const FluidOperator<dim> &fluid,
-                                     const std::vector<Lanes> &positions,
-                                     std::vector<double> &multiplier)
+  CouplingPoints<dim>::make_dense(const FluidOperator<dim> &fluid,
+                                  const std::vector<Lanes> &positions,
+                                  std::vector<double> &multiplier)
   {
     const int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
     std::vector<int> is_dense(points.size(), 0);
     for (unsigned int id = 0; id < stand_in.size(); ++id)
       {
         Stencil stencil = unplaced_stencil(id);
-        if (place(stencil, id, fluid, positions) &&
+        if (active[stand_in[id]] && place(stencil, id, fluid, positions) &&
             fluid.cell(stencil.cell).owner_rank == rank &&
             !is_amid_large_cells(fluid, stencil))
           is_dense[stand_in[id]] = 1;
       }
     dealii::Utilities::MPI::max(is_dense, communicator, is_dense);
 
-    for (unsigned int id = stand_in.size(); id < points.size(); ++id)
-      if (!active[id])
-        std::fill_n(multiplier.begin() + dim * id, dim, 0.);
     for (unsigned int id = 0; id < stand_in.size(); ++id)
-      {
-        const unsigned int one = stand_in[id];
-        const double share     = points[id].volume / points[one].volume;
-        for (unsigned int d = 0; d < dim; ++d)
-          if (active[one])
-            multiplier[dim * id + d] = multiplier[dim * one + d];
-          else
-            multiplier[dim * one + d] += share * multiplier[dim * id + d];
-        active[id] = is_dense[one];
-      }
+      if (is_dense[stand_in[id]])
+        {
+          active[id] = true;
+          std::copy_n(multiplier.begin() + dim * stand_in[id],
+                      dim,
+                      multiplier.begin() + dim * id);
+        }
     for (unsigned int id = stand_in.size(); id < points.size(); ++id)
-      active[id] = !is_dense[id];
+      active[id] = active[id] && !is_dense[id];
   }
 
 

@@ -28,11 +28,12 @@ namespace coapt
    * Interpolation weights are computed once a step by update() and frozen over
    * the stages.
    *
-   * Points may be in groups that one point each can stand for: where all of a
-   * group, and all cells beside them, are in larger cells, it carries the
-   * coupling in their place, so that points are not denser than the cells
-   * ask for. Who does is decided by distribute(); forces stay the same when it
-   * changes.
+   * Points may be in groups that one point each stands for while all of a
+   * group, and all cells beside them, are in larger cells, so that points are
+   * not denser than the cells ask for. distribute() lets a group take over,
+   * with the force that there is, when its cells become small. It stays then,
+   * for to put the mean in the place of its multipliers would take their
+   * energy.
    */
   template <int dim>
   class CouplingPoints
@@ -258,13 +259,13 @@ namespace coapt
     is_amid_large_cells(const FluidOperator<dim> &fluid,
                         const Stencil &stencil) const;
 
-    /** Decides who carries the coupling, for the nodes @p positions of the
-     * solid, and hands multipliers on: @p multiplier holds those of all points
-     * by number. Collective. */
+    /** Lets groups take over that are not amid large cells, for the nodes
+     * @p positions of the solid, and hands multipliers on: @p multiplier holds
+     * those of all points by number. Collective. */
     void
-    choose_active(const FluidOperator<dim> &fluid,
-                  const std::vector<Lanes> &positions,
-                  std::vector<double> &multiplier);
+    make_dense(const FluidOperator<dim> &fluid,
+               const std::vector<Lanes> &positions,
+               std::vector<double> &multiplier);
 
     /** Which nodes of a fluid cell are held at rest, a bit for each. Nodes that
      * follow a given velocity are not among them. */
