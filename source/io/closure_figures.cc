@@ -1,6 +1,7 @@
 #include <coapt/base/units.h>
 #include <coapt/io/closure_figures.h>
 #include <coapt/metrics/distribution.h>
+#include <coapt/metrics/region_volumes.h>
 
 #include <algorithm>
 
@@ -82,13 +83,10 @@ namespace coapt
     Summary result;
     for (unsigned int region = 0; region < names.size(); ++region)
       {
-        std::vector<double> weights;
-        for (unsigned int c = 0; c < valve.leaflet.cell_quad.size(); ++c)
-          weights.push_back(
-            static_cast<unsigned int>(
-              valve.leaflet.quad_region[valve.leaflet.cell_quad[c]]) == region
-              ? valve.solid->cell_volumes()[c]
-              : 0.);
+        const std::vector<double> weights =
+          volumes_in_region(valve.leaflet,
+                            static_cast<Region>(region),
+                            valve.solid->cell_volumes());
         if (std::all_of(weights.begin(), weights.end(), [](const double w) {
               return w == 0;
             }))

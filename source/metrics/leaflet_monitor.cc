@@ -3,6 +3,7 @@
 #include <coapt/geometry/boundary_faces.h>
 #include <coapt/geometry/outline.h>
 #include <coapt/metrics/bulging_volume.h>
+#include <coapt/metrics/distribution.h>
 #include <coapt/metrics/fold_crest.h>
 #include <coapt/metrics/leaflet_monitor.h>
 #include <coapt/metrics/loads.h>
@@ -201,19 +202,11 @@ namespace coapt
     sample.chordae_tension = peaks.class_tensions(tensions);
     sample.chorda_tension  = tensions;
 
-    cells         = valve.solid->cell_results(X.data());
-    double volume = 0;
-    for (unsigned int c = 0; c < cells.von_mises.size(); ++c)
-      {
-        const double weight = valve.solid->cell_volumes()[c];
-        volume += weight;
-        sample.mean_stress += weight * cells.von_mises[c];
-        sample.mean_principal += weight * cells.principal_stress[c];
-        sample.mean_strain += weight * cells.largest_strain[c];
-      }
-    sample.mean_stress /= volume;
-    sample.mean_principal /= volume;
-    sample.mean_strain /= volume;
+    cells                              = valve.solid->cell_results(X.data());
+    const std::vector<double> &volumes = valve.solid->cell_volumes();
+    sample.mean_stress    = weighted_mean(cells.von_mises, volumes);
+    sample.mean_principal = weighted_mean(cells.principal_stress, volumes);
+    sample.mean_strain    = weighted_mean(cells.largest_strain, volumes);
     measure_distortion(sample);
 
     sample.swept_flow =

@@ -89,6 +89,24 @@ namespace
                    1e-12);
   }
 
+  /** A plane through which 40 mL/s flow beside one with the opposite normal,
+   * while the leaflets sweep 30 mL/s. */
+  void
+  check_planes()
+  {
+    ValveSample sample;
+    sample.plane_flow = {40 * millilitre, -40 * millilitre};
+    sample.swept_flow = 30 * millilitre;
+    check_relative("what passes the leaflets through a plane",
+                   plane_flow_less_swept(sample, 0),
+                   10 * millilitre,
+                   1e-12);
+    check_relative("through a plane with the opposite normal",
+                   plane_flow_less_swept(sample, 1),
+                   -70 * millilitre,
+                   1e-12);
+  }
+
   void
   check_regurgitation(std::vector<ValveSample> samples)
   {
@@ -124,5 +142,6 @@ main(int argc, char **argv)
   check_closing(samples);
   check_leak(samples);
   check_window(samples);
+  check_planes();
   check_regurgitation(samples);
 }

@@ -1,7 +1,7 @@
 #ifndef coapt_tests_metrics_cylinder_leaflet_h
 #define coapt_tests_metrics_cylinder_leaflet_h
 
-#include <coapt/geometry/leaflet.h>
+#include <coapt/metrics/leaflet_lines.h>
 
 #include <cmath>
 
@@ -50,6 +50,27 @@ cylinder()
                                                        : Region::posterior);
       }
   return leaflet;
+}
+
+/** Mid-surface of a leaflet in the reference, by column (m). */
+inline std::vector<dealii::Point<3>>
+mid_surface(const coapt::Leaflet &leaflet)
+{
+  std::vector<dealii::Point<3>> points;
+  for (unsigned int c = 0; c < leaflet.columns.size(); ++c)
+    points.push_back(coapt::middle_of_column(leaflet, c));
+  return points;
+}
+
+/** Marks rows 8 to 12 of all lines, but not from line @p begin to @p end. */
+inline std::vector<bool>
+belt_without(const unsigned int begin, const unsigned int end)
+{
+  std::vector<bool> marks(n_angles * (n_rows + 1), false);
+  for (unsigned int i = 0; i < n_angles; ++i)
+    for (unsigned int j = 8; j <= n_rows; ++j)
+      marks[column(i, j)] = i < begin || i >= end;
+  return marks;
 }
 
 #endif

@@ -290,6 +290,12 @@ namespace
                    record.class_tensions({0.1, 0.3, 0.5})[0],
                    0.4,
                    1e-14);
+    check("tensions of other chordae are refused",
+          error_of([&] {
+            record.update(0.03, {0.1});
+          }).find("1 tensions were given for 3 chordae") != std::string::npos);
+    check("name of a class",
+          name_of(ChordaClass::posterior_secondary) == "posterior_secondary");
   }
 } // namespace
 
