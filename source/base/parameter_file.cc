@@ -69,7 +69,8 @@ namespace coapt
           std::getline(words, name, '=');
           name.erase(name.find_last_not_of(' ') + 1);
           const unsigned int distance = edit_distance(wanted, name);
-          if (distance <= least)
+          // the same name is known elsewhere, and helps nobody here
+          if (distance > 0 && distance <= least)
             {
               least   = distance;
               nearest = name;
