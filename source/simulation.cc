@@ -252,7 +252,7 @@ namespace coapt
     RunCost cost;
     cost.fluid_cells     = model.n_active_cells();
     cost.solid_tets      = model.leaflet.mesh.n_elements();
-    cost.coupling_points = model.points->n_points();
+    cost.coupling_points = model.points->n_active();
     cost.steps           = integrator.n_steps();
     cost.evaluations     = integrator.n_evaluations();
     cost.wall_seconds    = timing.wall_time();

@@ -69,8 +69,8 @@ namespace coapt
           std::getline(words, name, '=');
           name.erase(name.find_last_not_of(' ') + 1);
           const unsigned int distance = edit_distance(wanted, name);
-          // the same name is known elsewhere, and helps nobody here
-          if (distance > 0 && distance <= least)
+          // the same name, known elsewhere, would help nobody here
+          if (name != wanted && distance <= least)
             {
               least   = distance;
               nearest = name;

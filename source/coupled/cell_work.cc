@@ -20,12 +20,13 @@ namespace coapt
 
   template <int dim>
   std::uint64_t
-  CellWork<dim>::number(const Point<dim> &x) const
+  CellWork<dim>::number(const Point<dim> &x, const unsigned int doublings) const
   {
+    const double size    = finest * (1u << doublings);
     std::uint64_t result = 0;
     for (unsigned int d = 0; d < dim; ++d)
       result = (result << 21) +
-        static_cast<std::uint64_t>(std::max(0., (x[d] - lower[d]) / finest));
+        static_cast<std::uint64_t>(std::max(0., (x[d] - lower[d]) / size));
     return result;
   }
 
@@ -33,13 +34,15 @@ namespace coapt
 
   template <int dim>
   void
-  CellWork<dim>::place(const std::vector<Point<dim>> &points,
-                       const double share_in_large)
+  CellWork<dim>::place(const std::vector<Point<dim>> &dense,
+                       const std::vector<Point<dim>> &active)
   {
-    this->share_in_large = share_in_large;
-    n_points.clear();
-    for (const Point<dim> &point : points)
-      ++n_points[number(point)];
+    for (unsigned int i = 0; i < n_points.size(); ++i)
+      {
+        n_points[i].clear();
+        for (const Point<dim> &point : i == 0 ? dense : active)
+          ++n_points[i][number(point, i)];
+      }
   }
 
 
@@ -52,20 +55,12 @@ namespace coapt
     const unsigned int of_cell = 40, of_idle_cell = 12, of_point = 31;
     if (lumen && lumen(center) > 0.5 * std::sqrt(double(dim)) * size)
       return of_idle_cell;
-    if (size > 3 * finest)
+    const unsigned int doublings = std::lround(std::log2(size / finest));
+    if (doublings >= n_points.size())
       return of_cell;
-    const bool large = size > 1.5 * finest;
-    double points    = 0;
-    for (unsigned int part = 0; part < (large ? 1u << dim : 1u); ++part)
-      {
-        Point<dim> middle = center;
-        for (unsigned int d = 0; d < dim && large; ++d)
-          middle[d] += ((part >> d) & 1 ? 0.25 : -0.25) * size;
-        const auto found = n_points.find(number(middle));
-        points += found == n_points.end() ? 0 : found->second;
-      }
+    const auto found = n_points[doublings].find(number(center, doublings));
     return of_cell +
-      std::lround((large ? share_in_large : 1.) * points * of_point);
+      (found == n_points[doublings].end() ? 0 : found->second * of_point);
   }
 
 

@@ -105,6 +105,7 @@ namespace coapt
       nodes.gather(y + state_layout.position(), X.data());
       nodes.gather(y + state_layout.solid_velocity(), V.data());
     }
+    // as FluidOperator::gather(), with a time for each part; so finish_fluid()
     const auto scope = timing.scope(sections.fluid_nodes);
     std::copy_n(y + state_layout.velocity(),
                 dim * state_layout.n_fluid_nodes,

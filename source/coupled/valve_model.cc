@@ -266,8 +266,12 @@ namespace coapt
   void
   ValveModel::place_work(const std::vector<double> &X)
   {
-    const double all = points->samples().size(), dense = points->n_points();
-    work->place(dense_positions(X), all > dense ? (all - dense) / dense : 1);
+    const std::vector<Point<3>> all = points->positions(X.data());
+    std::vector<Point<3>> active;
+    for (unsigned int id = 0; id < all.size(); ++id)
+      if (points->is_active(id))
+        active.push_back(all[id]);
+    work->place(dense_positions(X), active);
   }
 
 

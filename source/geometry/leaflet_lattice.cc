@@ -208,18 +208,19 @@ namespace coapt
         }
     }
 
-    /** Group of each of @p n layers: pairs from both sides inwards, and what
-     * has no partner alone. */
+    /** Group of each of @p n layers: pairs in both halves of the thickness,
+     * from outside; one in the middle, or without a partner, is alone. */
     std::vector<unsigned int>
     pairs_of_layers(const unsigned int n)
     {
-      std::vector<unsigned int> group(n);
-      const unsigned int half = (n + 1) / 2;
+      const unsigned int half = n / 2, groups_of_half = (half + 1) / 2,
+                         last = 2 * groups_of_half + n % 2 - 1;
+      std::vector<unsigned int> group(n, groups_of_half);
       for (unsigned int k = 0; k < half; ++k)
-        group[k] = n % 2 == 1 && k == half - 1 ? half / 2 : k / 2;
-      const unsigned int last = n % 2 == 1 ? 2 * (half / 2) : n / 2 - 1;
-      for (unsigned int k = half; k < n; ++k)
-        group[k] = last - group[n - 1 - k];
+        {
+          group[k]         = k / 2;
+          group[n - 1 - k] = last - k / 2;
+        }
       return group;
     }
 

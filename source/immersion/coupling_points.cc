@@ -203,21 +203,25 @@ namespace coapt
   CouplingPoints<dim>::is_amid_large_cells(const FluidOperator<dim> &fluid,
                                            const Stencil &stencil) const
   {
-    const auto &cell    = fluid.cell(stencil.cell);
     const auto is_large = [&](const int number) {
       return number < 0 || fluid.cell(number).size > 1.5 * dense_cell;
     };
-    bool result = is_large(stencil.cell);
-    for (unsigned int d = 0; d < dim; ++d)
-      for (const double way : {-1., 1.})
-        {
-          Point<dim> beside;
-          for (unsigned int e = 0; e < dim; ++e)
-            beside[e] = cell.lower[e] + stencil.local[e] * cell.size;
-          beside[d] += way * cell.size;
-          result = result && is_large(fluid.locate(beside));
-        }
-    return result;
+    if (!is_large(stencil.cell))
+      return false;
+    // Just outside the cell on all sides, where a rank knows the cells.
+    const auto &cell                   = fluid.cell(stencil.cell);
+    const unsigned int n_neighbourhood = dim == 2 ? 9 : 27;
+    for (unsigned int i = 0; i < n_neighbourhood; ++i)
+      {
+        Point<dim> beside;
+        for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= 3)
+          beside[d] = cell.lower[d] +
+            std::array<double, 3>{{-0.25, stencil.local[d], 1.25}}[rest % 3] *
+              cell.size;
+        if (!is_large(fluid.locate(beside)))
+          return false;
+      }
+    return true;
   }
 
 
@@ -244,6 +248,8 @@ namespace coapt
       if (is_dense[stand_in[id]])
         {
           active[id] = true;
+          if (!releases.empty())
+            releases[id] = releases[stand_in[id]];
           std::copy_n(multiplier.begin() + dim * stand_in[id],
                       dim,
                       multiplier.begin() + dim * id);
@@ -460,7 +466,8 @@ namespace coapt
                 rescale(s, run.constrained);
               }
             // Otherwise the old weights stay until points are distributed.
-            else if (!place(s, ids[q], fluid, solid_input))
+            else if (!place(s, ids[q], fluid, solid_input) ||
+                     is_too_sparse(ids[q], fluid.cell(s.cell).size))
               all_found = false;
           }
       }

@@ -1,3 +1,5 @@
+#include <deal.II/base/exceptions.h>
+
 #include <coapt/immersion/fluid_within.h>
 
 #include <cmath>
@@ -11,6 +13,9 @@ namespace coapt
                                 const CouplingPoints<dim> &points)
     : mesh(mesh), points(points), volumes(mesh.cells.size(), 0.)
   {
+    // Points that stand for groups would count twice.
+    AssertThrow(points.n_points() == points.samples().size(),
+                dealii::ExcInternalError());
     for (const SamplePoint<dim> &sample : points.samples())
       volumes[sample.cell] += sample.volume;
   }

@@ -63,7 +63,7 @@ main(int argc, char *argv[])
       ? 3u
       : 1u;
   };
-  work.place(cluster(corner));
+  work.place(cluster(corner), cluster(corner));
   grid.refine_to(wanted);
   const double fluid = work(Point2(8.5e-3, 8.5e-3), 1e-3);
   check("a cell outside of the lumen costs little",
@@ -72,12 +72,23 @@ main(int argc, char *argv[])
                  work(Point2(0.125e-3, 0.125e-3), 0.25e-3) - fluid,
                  4 * 31,
                  1e-12);
+  // in larger cells those that carry coupling count: one in each 0.5 mm
+  std::vector<Point2> sparse;
+  for (unsigned int i = 0; i < 64; ++i)
+    sparse.emplace_back((i % 8 + 0.5) * 0.5e-3, (i / 8 + 0.5) * 0.5e-3);
+  work.place(cluster(corner), sparse);
+  for (const double size : {0.5e-3, 1e-3, 2e-3})
+    check_relative("points in a larger cell",
+                   work(Point2(0.5 * size, 0.5 * size), size) - fluid,
+                   std::pow(size / 0.5e-3, 2) * 31,
+                   1e-12);
+  work.place(cluster(corner), cluster(corner));
   check("ranks get the same work",
         imbalance(grid, work) < 1.1,
         imbalance(grid, work));
 
   corner = Point2(8e-3, 10e-3);
-  work.place(cluster(corner));
+  work.place(cluster(corner), cluster(corner));
   grid.refine_to(wanted);
   check("and also when the points have moved",
         imbalance(grid, work) < 1.1,

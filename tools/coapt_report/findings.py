@@ -112,8 +112,8 @@ def longest_gap(run):
 
 
 def regurgitation_findings(run, healthy):
-    """A gap in the belt where chordae are torn, which are R-P2 to R-P4, on the
-    right (x > 0), a jet, a flow that does not stop."""
+    """A gap in the belt where chordae are torn, which are R-P2 to R-P4 and R-S2,
+    on the right (x > 0), a jet, a flow that does not stop."""
     gaps, (length, place) = value(run, "gaps/number"), longest_gap(run)
     way = value(run, "widest_path/x_mm")
     speed = float(run.statistics["velocity_max_m_per_s"][-1])

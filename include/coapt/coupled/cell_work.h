@@ -3,6 +3,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <unordered_map>
@@ -19,19 +20,19 @@ namespace coapt
   class CellWork
   {
   public:
-    /** Coupling points in the lumen lie in cells of size @p finest (m) or twice
-     * that, in a box with the corner @p lower; those in the wall are idle.
-     * @p lumen is the signed distance to the wall, negative inside; empty if
-     * the whole box is lumen. */
+    /** The finest cells have the size @p finest (m), in a box with the corner
+     * @p lower. Cells in the wall are idle: @p lumen is the signed distance to
+     * it, negative inside; empty if the whole box is lumen. */
     CellWork(const dealii::Point<dim> &lower,
              const double finest,
              const std::function<double(const dealii::Point<dim> &)> &lumen);
 
-    /** The coupling points have moved to @p points (m). In cells twice as large
-     * as the finest ones, there are @p share_in_large times as many. */
+    /** The coupling points have moved to @p dense (m), which is where they are
+     * in finest cells, and those that carry coupling now to @p active, which
+     * counts in larger ones. */
     void
-    place(const std::vector<dealii::Point<dim>> &points,
-          const double share_in_large = 1);
+    place(const std::vector<dealii::Point<dim>> &dense,
+          const std::vector<dealii::Point<dim>> &active);
 
     /** Work of a cell of this @p center and @p size (m), in nanoseconds an
      * evaluation on the machine where it was measured. */
@@ -39,15 +40,17 @@ namespace coapt
     operator()(const dealii::Point<dim> &center, const double size) const;
 
   private:
-    /** Number of the finest cell that contains @p x. */
+    /** Number of the cell that contains @p x, of those whose size is that of
+     * the finest ones doubled so many times. */
     std::uint64_t
-    number(const dealii::Point<dim> &x) const;
+    number(const dealii::Point<dim> &x, const unsigned int doublings) const;
 
     dealii::Point<dim> lower;
     double finest;
-    double share_in_large = 1;
     std::function<double(const dealii::Point<dim> &)> lumen;
-    std::unordered_map<std::uint64_t, unsigned int> n_points;
+
+    /** Points in each cell, for the finest cells and three larger sizes. */
+    std::array<std::unordered_map<std::uint64_t, unsigned int>, 4> n_points;
   };
 } // namespace coapt
 

@@ -103,7 +103,6 @@ namespace coapt
     build_hanging_rows(const dealii::IndexSet &relevant,
                        const std::vector<double> &global_masters);
 
-
     std::shared_ptr<dealii::DoFHandler<dim, dim>> dofs;
     // made anew each time: deal.II's Partitioner fails when it is reused with
     // an index space of another size

@@ -65,8 +65,10 @@ namespace coapt
 
   /**
    * leaflet_lattice(), and points for fluid cells twice as large: one for each
-   * group of up to 2 x 2 lines of a quadrilateral and two layers, of which
-   * at least @p min_layers stay. Groups of layers are alike on both sides.
+   * group of up to 2 x 2 lines of a quadrilateral (an odd one at the end of u
+   * or v, so not symmetric) and two layers of the same half of the thickness,
+   * if
+   * @p min_layers stay.
    */
   NestedLattice<3>
   nested_leaflet_lattice(const Leaflet &leaflet,

@@ -11,6 +11,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace coapt
@@ -31,8 +32,8 @@ namespace coapt
    * Points may be in groups that one point each stands for while all of a
    * group, and all cells beside them, are in larger cells, so that points are
    * not denser than the cells ask for. distribute() lets a group take over,
-   * with the force that there is, when its cells become small. It stays then,
-   * for to put the mean in the place of its multipliers would take their
+   * with the force that there is, when its cells become small. From then on it
+   * keeps the coupling: to replace its multipliers by their mean would take
    * energy.
    */
   template <int dim>
@@ -73,10 +74,11 @@ namespace coapt
      * that follow a given velocity take part, so that a body feels a moving
      * wall; what they get of its force goes to the wall.
      *
-     * Returns whether all points of this rank lie in cells known to it; if
-     * not on some rank, distribute() is due. Now and then puts the points,
-     * multipliers included, in the order of their cells, since neighbours
-     * share what they need of the fluid.
+     * Returns whether all points of this rank lie in cells known to it, and
+     * none stands for a group in a small one; if not so on some rank,
+     * distribute() is due. Now and then puts the points, multipliers included,
+     * in the order of their cells, since neighbours share what they need of the
+     * fluid.
      */
     bool
     update(const FluidOperator<dim> &fluid,
@@ -176,6 +178,13 @@ namespace coapt
       return active[id];
     }
 
+    /** Number of points of all ranks that carry coupling now. */
+    unsigned int
+    n_active() const
+    {
+      return std::count(active.begin(), active.end(), true);
+    }
+
     /** All points, by number; what stands for groups comes last. */
     const std::vector<SamplePoint<dim>> &
     samples() const
@@ -252,6 +261,15 @@ namespace coapt
 
     Stencil
     unplaced_stencil(const unsigned int id) const;
+
+    /** Whether the point with the number @p id stands for a group, but has come
+     * into a cell of a @p size (m) that asks for the group itself. */
+    bool
+    is_too_sparse(const unsigned int id, const double size) const
+    {
+      return !stand_in.empty() && id >= stand_in.size() &&
+        size < 1.5 * dense_cell;
+    }
 
     /** Whether the point with this @p stencil is in a cell larger than
      * dense_cell, and beside such cells only. */
