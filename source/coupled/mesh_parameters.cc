@@ -41,7 +41,8 @@ namespace coapt
                       "0",
                       Integer(0, 12),
                       "By how many levels the cells around the leaflet are "
-                      "coarser where it faces no other part of itself (-).");
+                      "coarser where it faces no other part of itself (-). "
+                      "Coupling points are sparser there, as well.");
     prm.declare_entry("Facing distance",
                       "4",
                       Double(1e-3, 1e3),
