@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <sstream>
+#include <utility>
 #include <vector>
 
 namespace coapt
@@ -123,13 +125,19 @@ namespace coapt
                                  const std::string &source) const
   {
     on_first_rank(communicator, [&]() -> std::string {
-      std::ofstream copy(file("parameters-as-read.prm"));
-      copy << std::ifstream(source).rdbuf() << std::flush;
-      std::ofstream all(file("parameters.prm"));
+      // deal.II ends the program with a trace of its calls if its stream fails.
+      std::ostringstream given, all;
+      given << std::ifstream(source).rdbuf();
       prm.print_parameters(all, dealii::ParameterHandler::PRM);
-      if (copy && all)
-        return "";
-      return "the parameters cannot be written to '" + path + "'";
+      for (const auto &[name, text] :
+           {std::pair("parameters-as-read.prm", given.str()),
+            std::pair("parameters.prm", all.str())})
+        {
+          std::ofstream out(file(name));
+          if (!(out << text << std::flush))
+            return file(name) + ": writing failed; is the disk full?";
+        }
+      return "";
     });
   }
 } // namespace coapt
