@@ -9,6 +9,7 @@ namespace coapt
   void
   MeshParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
+    using dealii::Patterns::Bool;
     using dealii::Patterns::Double;
     using dealii::Patterns::Integer;
     prm.enter_subsection("Mesh");
@@ -41,8 +42,13 @@ namespace coapt
                       "0",
                       Integer(0, 12),
                       "By how many levels the cells around the leaflet are "
-                      "coarser where it faces no other part of itself (-). "
-                      "Coupling points are sparser there, as well.");
+                      "coarser where it faces no other part of itself (-).");
+    prm.declare_entry(
+      "Sparser points apart",
+      "false",
+      Bool(),
+      "Whether coupling points are twice as far apart there, as "
+      "the larger cells ask for.");
     prm.declare_entry("Facing distance",
                       "4",
                       Double(1e-3, 1e3),
@@ -84,6 +90,7 @@ namespace coapt
     wall_level           = prm.get_integer("Wall level");
     band                 = prm.get_double("Band");
     levels_coarser_apart = prm.get_integer("Levels coarser apart");
+    sparser_points_apart = prm.get_bool("Sparser points apart");
     facing_distance = prm.get_double("Facing distance") * units::millimetre;
     flow_level      = prm.get_integer("Flow level");
     flow_jump       = prm.get_double("Flow velocity jump");

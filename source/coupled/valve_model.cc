@@ -144,7 +144,8 @@ namespace coapt
                   parameters.coupling.expected_stretch,
                   parameters.coupling.min_layers);
     };
-    if (parameters.mesh.levels_coarser_apart > 0)
+    if (parameters.mesh.levels_coarser_apart > 0 &&
+        parameters.mesh.sparser_points_apart)
       return lattice(nested_leaflet_lattice);
     return {lattice(leaflet_lattice), {}};
   }

@@ -20,7 +20,8 @@ subsection Ends
   set Pressure table = drained_pressure.csv
 end
 subsection Mesh
-  set Coarse cell = 6.25
+  set Coarse cell          = 6.25
+  set Sparser points apart = true
 end
 ${text}")
   execute_process(COMMAND ${MPIEXEC} -n 2 ${PROGRAM} ${name}.prm WORKING_DIRECTORY ${FOLDER}

@@ -28,6 +28,9 @@ namespace coapt
     unsigned int levels_coarser_apart = 0;
     double facing_distance            = 4e-3;
 
+    /** Whether coupling points are sparser there, too. */
+    bool sparser_points_apart = false;
+
     /** Deepest level of cells that are refined for the flow; none are if it is
      * not above the lumen's. */
     unsigned int flow_level = 0;
