@@ -350,6 +350,17 @@ namespace coapt
       std::vector<ColumnMap> maps;
       std::vector<QuadLines> lines;
     };
+
+    LeafletLines
+    lines_of(const Leaflet &leaflet,
+             const double spacing,
+             const double stretch,
+             const unsigned int min_layers)
+    {
+      check_point_spacing(spacing);
+      check_point_spacing(spacing / stretch);
+      return LeafletLines(leaflet, spacing, stretch, min_layers);
+    }
   } // namespace
 
 
@@ -360,9 +371,7 @@ namespace coapt
                   const double stretch,
                   const unsigned int min_layers)
   {
-    check_point_spacing(spacing);
-    check_point_spacing(spacing / stretch);
-    return LeafletLines(leaflet, spacing, stretch, min_layers).points();
+    return lines_of(leaflet, spacing, stretch, min_layers).points();
   }
 
 
@@ -373,9 +382,6 @@ namespace coapt
                          const double stretch,
                          const unsigned int min_layers)
   {
-    check_point_spacing(spacing);
-    check_point_spacing(spacing / stretch);
-    return LeafletLines(leaflet, spacing, stretch, min_layers)
-      .nested(min_layers);
+    return lines_of(leaflet, spacing, stretch, min_layers).nested(min_layers);
   }
 } // namespace coapt
