@@ -267,12 +267,12 @@ namespace coapt
   void
   ValveModel::place_work(const std::vector<double> &X)
   {
-    const std::vector<Point<3>> all = points->positions(X.data());
-    std::vector<Point<3>> active;
-    for (unsigned int id = 0; id < all.size(); ++id)
+    std::vector<Point<3>> dense = points->positions(X.data()), active;
+    for (unsigned int id = 0; id < dense.size(); ++id)
       if (points->is_active(id))
-        active.push_back(all[id]);
-    work->place(dense_positions(X), active);
+        active.push_back(dense[id]);
+    dense.resize(points->n_points());
+    work->place(dense, active);
   }
 
 

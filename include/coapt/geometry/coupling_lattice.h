@@ -66,9 +66,8 @@ namespace coapt
   /**
    * leaflet_lattice(), and points for fluid cells twice as large: one for each
    * group of up to 2 x 2 lines of a quadrilateral (an odd one at the end of u
-   * or v, so not symmetric) and two layers of the same half of the thickness,
-   * if
-   * @p min_layers stay.
+   * or v, so not symmetric) and two layers of the same half of the thickness
+   * (of one layer if fewer than @p min_layers would stay).
    */
   NestedLattice<3>
   nested_leaflet_lattice(const Leaflet &leaflet,
