@@ -31,16 +31,20 @@ namespace
       return with_file_name(command.file,
                             [&]() { task->preview(log, communicator); });
 
-    const OutputFolder folder(run.output_folder, run.overwrite, communicator);
+    const OutputFolder folder(run.output_folder,
+                              run.overwrite,
+                              communicator,
+                              run.resume);
     with_file_name(command.file, [&]() { task->build(log, communicator); });
     if (command.action == CommandLine::Action::check)
       {
         log.line(command.file + ": ok");
         return;
       }
+    with_file_name(command.file, [&]() { task->check_checkpoint(folder); });
     folder.create();
     folder.write_parameters(prm, command.file);
-    log.open(folder.file("coapt.log"));
+    log.open(folder.file("coapt.log"), folder.continues());
     log.line(Console::banner(communicator));
     task->run(folder);
   }

@@ -68,10 +68,16 @@ namespace coapt
                       step_control.limiter());
     };
 
-    update_step_limits();
-    model.system->begin_step(step_control.step(parameters.run.end_time));
-    integrator.start(0., state);
-    record();
+    CheckpointFolder checkpoints(folder.file(""),
+                                 parameters.run.checkpoint_interval,
+                                 communicator);
+    if (folder.continues())
+      load(folder.checkpoint(), recorder);
+    else
+      {
+        begin();
+        record();
+      }
     while (!is_over())
       {
         advance(std::min(parameters.run.end_time,
@@ -79,12 +85,25 @@ namespace coapt
                 recorder);
         check_finite(recorder);
         record();
+        if (checkpoints.is_due())
+          save(checkpoints, recorder);
       }
     recorder.finish(integrator.time(), state.data());
     const Summary summary = recorder.write_summary(cost());
     log.line(model.division());
     log.line(timing.summary(communicator));
     return summary;
+  }
+
+
+
+  void
+  Simulation::begin()
+  {
+    update_step_limits();
+    model.system->begin_step(step_control.step(
+      std::min(parameters.run.end_time, parameters.run.output_interval)));
+    integrator.start(0., state);
   }
 
 
@@ -255,7 +274,7 @@ namespace coapt
     cost.coupling_points = model.points->n_active();
     cost.steps           = integrator.n_steps();
     cost.evaluations     = integrator.n_evaluations();
-    cost.wall_seconds    = timing.wall_time();
+    cost.wall_seconds    = earlier_wall + timing.wall_time();
     cost.ranks       = dealii::Utilities::MPI::n_mpi_processes(communicator);
     cost.step_length = step_control.step(1.);
     return cost;

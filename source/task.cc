@@ -9,6 +9,14 @@
 namespace coapt
 {
   void
+  Task::check_checkpoint(const OutputFolder &)
+  {
+    // Most tasks have none.
+  }
+
+
+
+  void
   Task::preview(Log &, MPI_Comm)
   {
     throw InputError("this task has no geometry to preview");

@@ -9,6 +9,7 @@ namespace coapt
   SimulationParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     RunParameters::declare_parameters(prm);
+    RunParameters::declare_checkpoints(prm);
     StepParameters::declare_parameters(prm);
     StructureParameters::declare_parameters(prm);
     ModelParameters::declare_parameters(prm);
@@ -20,12 +21,16 @@ namespace coapt
   SimulationParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
     run.parse_parameters(prm);
+    run.parse_checkpoints(prm);
     step.parse_parameters(prm);
     structure.parse_parameters(prm);
     model.parse_parameters(prm);
     if (structure.in_blood && model.import.is_wanted)
       throw InputError("Valve/Source = imported needs Structure/Fluid = none; "
                        "blood flows around generated valves only");
+    if (!structure.in_blood && run.resume != Resume::never)
+      throw InputError("Output/Resume = false is needed with Structure/Fluid = "
+                       "none; only a valve in blood has checkpoints");
     if (structure.in_blood)
       model.contact.check_damping();
   }

@@ -26,6 +26,9 @@ namespace coapt
     with_file_name(file, [&]() {
       parameters.parse_parameters(prm);
       varied.parse_parameters(prm);
+      if (varied.n_runs() > 0 && parameters.run.resume != Resume::never)
+        throw InputError("Output/Resume = false is needed for a study; only "
+                         "a single run goes on from its checkpoint");
     });
     parameters.model.folder =
       std::filesystem::path(file).parent_path().string();
@@ -44,6 +47,15 @@ namespace coapt
       }
     study =
       std::make_unique<ValveStudy>(parameters, varied, *prm, log, communicator);
+  }
+
+
+
+  void
+  ValveTask::check_checkpoint(const OutputFolder &folder)
+  {
+    if (simulation)
+      simulation->check_checkpoint(folder);
   }
 
 

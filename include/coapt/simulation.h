@@ -3,6 +3,7 @@
 
 #include <coapt/base/timing.h>
 #include <coapt/coupled/valve_model.h>
+#include <coapt/io/checkpoint_folder.h>
 #include <coapt/io/recorder.h>
 #include <coapt/metrics/valve_monitor.h>
 #include <coapt/solid/largest_frequency.h>
@@ -15,7 +16,8 @@
 
 namespace coapt
 {
-  /** The closure of a valve in blood, from rest to the end time. */
+  /** The closure of a valve in blood, from rest or from a checkpoint to the end
+   * time. */
   class Simulation : public ValveRun
   {
   public:
@@ -24,6 +26,9 @@ namespace coapt
     Simulation(const SimulationParameters &parameters,
                Log &log,
                MPI_Comm communicator);
+
+    void
+    check_checkpoint(const OutputFolder &folder) override;
 
     /** Runs to the end time and writes into @p folder; throws
      * NumericalError. Returns the figures of the run, on the first rank.
@@ -63,6 +68,23 @@ namespace coapt
     RunCost
     cost() const;
 
+    /** Starts from rest. */
+    void
+    begin();
+
+    /** Writes a checkpoint. */
+    void
+    save(CheckpointFolder &checkpoints, ValveRecorder &recorder);
+
+    /** Goes on from the checkpoint in @p folder. */
+    void
+    load(const std::string &folder, ValveRecorder &recorder);
+
+    /** Saves or restores what is the same on all ranks. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, ValveRecorder &recorder);
+
     /** Numbers of the timed sections. */
     struct Sections
     {
@@ -83,6 +105,7 @@ namespace coapt
     std::vector<double> last_finite_state, failed_state;
     double last_finite_time = 0;
     double last_adaptation  = 0;
+    double earlier_wall     = 0; // s, of the runs that this one continues
   };
 } // namespace coapt
 

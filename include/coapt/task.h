@@ -35,6 +35,11 @@ namespace coapt
     virtual void
     build(Log &log, MPI_Comm communicator) = 0;
 
+    /** Finds out whether the checkpoint fits that the run is to go on from;
+     * throws InputError. Writes nothing. */
+    virtual void
+    check_checkpoint(const OutputFolder &folder);
+
     /** Runs and writes into @p folder; throws NumericalError. */
     virtual void
     run(const OutputFolder &folder) = 0;

@@ -37,6 +37,13 @@ namespace coapt
   public:
     virtual ~ValveRun() = default;
 
+    /** Finds out whether the checkpoint in @p folder fits; throws InputError.
+     * Writes nothing. Collective. */
+    virtual void
+    check_checkpoint(const OutputFolder &)
+    {
+    }
+
     /** Runs to the end time and writes into @p folder; throws
      * NumericalError. Returns the figures of the run, on the first rank.
      * Collective. */

@@ -20,11 +20,11 @@ namespace coapt
 
 
   void
-  Log::open(const std::string &name)
+  Log::open(const std::string &name, const bool continues)
   {
     if (!is_first_rank)
       return;
-    file.open(name);
+    file.open(name, continues ? std::ios::app : std::ios::out);
     file << lines_before_open << std::flush;
     if (!file)
       throw std::runtime_error(name + ": cannot be written");

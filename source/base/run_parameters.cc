@@ -109,6 +109,46 @@ namespace coapt
 
 
   void
+  RunParameters::declare_checkpoints(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Output");
+    prm.declare_entry(
+      "Checkpoint interval",
+      "10",
+      Patterns::Double(0.),
+      "Wall time between two checkpoints, from which a run that "
+      "was interrupted can go on (min). A checkpoint is "
+      "written at the first row of statistics that is due after "
+      "it has passed, and replaces the last one; 0 writes none. "
+      "Only a valve in blood has checkpoints.");
+    prm.declare_entry("Resume",
+                      "false",
+                      Patterns::Selection("false|true|auto"),
+                      "Whether to go on from the checkpoint in the folder, on "
+                      "any number of processes: false begins anew, true needs "
+                      "a checkpoint, auto goes on if there is one. Meshes must "
+                      "be the same; other parameters may have changed. Tables "
+                      "and fields go on, too.");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  RunParameters::parse_checkpoints(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Output");
+    checkpoint_interval    = 60 * prm.get_double("Checkpoint interval");
+    const std::string text = prm.get("Resume");
+    resume                 = text == "true" ? Resume::always
+                      : text == "auto"      ? Resume::if_possible
+                                            : Resume::never;
+    prm.leave_subsection();
+  }
+
+
+
+  void
   RunParameters::parse_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Time");

@@ -164,8 +164,7 @@ namespace coapt
     column_of_point = nearest_columns(leaflet, lattice.points);
 
     const std::vector<double> X = reference_positions();
-    band.place(dense_positions(X), {}, facing_points(X));
-    place_work(X);
+    follow(X, {});
     grid->refine_to([this](const Point<3> &center, const double size) {
       return wanted_level(center, size);
     });
@@ -265,8 +264,14 @@ namespace coapt
 
 
   void
-  ValveModel::place_work(const std::vector<double> &X)
+  ValveModel::follow(const std::vector<double> &X, const std::vector<double> &V)
   {
+    followed_positions  = X;
+    followed_velocities = V;
+    band.place(dense_positions(X),
+               V.empty() ? std::vector<Point<3>>() : dense_positions(V),
+               facing_points(X));
+
     std::vector<Point<3>> dense = points->positions(X.data()), active;
     for (unsigned int id = 0; id < dense.size(); ++id)
       if (points->is_active(id))
@@ -322,10 +327,7 @@ namespace coapt
   ValveModel::adapt(std::vector<double> &y, Log &log)
   {
     const std::vector<double> X = system->solid_positions(y.data());
-    band.place(dense_positions(X),
-               dense_positions(system->solid_velocities(y.data())),
-               facing_points(X));
-    place_work(X);
+    follow(X, system->solid_velocities(y.data()));
     if (parameters.mesh.follows_flow() &&
         flow_indicator.update(*grid,
                               *fluid,

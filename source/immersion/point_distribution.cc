@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 // The parts of CouplingPoints that give the points to ranks, and choose those
 // that carry the coupling.
@@ -20,12 +21,33 @@ namespace coapt
     // Re-distribution is rare (re-adaptation, or a point that has crossed the
     // whole ghost layer), so the simple way is good enough: every rank sees
     // all multipliers and picks those of the points that are now its own.
+    distribute_all(fluid, X, all_multipliers(multiplier), multiplier);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  CouplingPoints<dim>::all_multipliers(
+    const std::vector<double> &multiplier) const
+  {
     std::vector<double> all(dim * points.size(), 0.);
     for (unsigned int q = 0; q < multiplier.size() / dim; ++q)
       for (unsigned int d = 0; d < dim; ++d)
         all[dim * ids[q] + d] = multiplier[dim * q + d];
     dealii::Utilities::MPI::sum(all, communicator, all);
+    return all;
+  }
 
+
+
+  template <int dim>
+  void
+  CouplingPoints<dim>::distribute_all(const FluidOperator<dim> &fluid,
+                                      const double *X,
+                                      std::vector<double> all,
+                                      std::vector<double> &multiplier)
+  {
     const int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
     ids.clear();
     stencils.clear();
@@ -119,8 +141,22 @@ namespace coapt
   CouplingPoints<2>::distribute(const FluidOperator<2> &,
                                 const double *,
                                 std::vector<double> &);
+  template std::vector<double>
+  CouplingPoints<2>::all_multipliers(const std::vector<double> &) const;
+  template void
+  CouplingPoints<2>::distribute_all(const FluidOperator<2> &,
+                                    const double *,
+                                    std::vector<double>,
+                                    std::vector<double> &);
   template void
   CouplingPoints<3>::distribute(const FluidOperator<3> &,
                                 const double *,
                                 std::vector<double> &);
+  template std::vector<double>
+  CouplingPoints<3>::all_multipliers(const std::vector<double> &) const;
+  template void
+  CouplingPoints<3>::distribute_all(const FluidOperator<3> &,
+                                    const double *,
+                                    std::vector<double>,
+                                    std::vector<double> &);
 } // namespace coapt

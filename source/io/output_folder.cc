@@ -1,6 +1,8 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
 #include <coapt/base/first_rank.h>
+#include <coapt/io/checkpoint_folder.h>
 #include <coapt/io/output_folder.h>
 
 #include <algorithm>
@@ -68,6 +70,7 @@ namespace coapt
       std::vector<fs::path> entries;
       for (const auto &entry : fs::directory_iterator(path))
         entries.push_back(entry.path());
+      remove_checkpoints(path);
       for (const fs::path &entry : entries)
         if (!fs::is_directory(entry) && is_result(entry.filename().string()))
           fs::remove(entry);
@@ -92,10 +95,24 @@ namespace coapt
 
   OutputFolder::OutputFolder(const std::string &path,
                              const bool overwrite,
-                             const MPI_Comm communicator)
+                             const MPI_Comm communicator,
+                             const Resume resume)
     : path(path), communicator(communicator)
   {
-    on_first_rank(communicator, [&] { return objection(path, overwrite); });
+    if (resume != Resume::never)
+      from_checkpoint =
+        dealii::Utilities::MPI::broadcast(communicator,
+                                          is_first_rank(communicator)
+                                            ? last_checkpoint(path)
+                                            : std::string());
+    on_first_rank(communicator, [&]() -> std::string {
+      if (continues())
+        return "";
+      if (resume == Resume::always)
+        return "output folder '" + path +
+          "' has no checkpoint to go on from, which Output/Resume asks for";
+      return objection(path, overwrite);
+    });
   }
 
 
@@ -107,7 +124,8 @@ namespace coapt
       try
         {
           fs::create_directories(path + "/fields");
-          remove_earlier_results(path);
+          if (!continues())
+            remove_earlier_results(path);
         }
       catch (const fs::filesystem_error &error)
         {

@@ -21,8 +21,12 @@ namespace coapt
     , monitor(monitor)
     , in_blood(settings.in_blood)
     , console(parameters.end_time)
-    , statistics(folder.file("statistics.csv"), valve.communicator)
-    , chordae_table(folder.file("chordae.csv"), valve.communicator)
+    , statistics(folder.file("statistics.csv"),
+                 valve.communicator,
+                 folder.continues())
+    , chordae_table(folder.file("chordae.csv"),
+                    valve.communicator,
+                    folder.continues())
     , report(settings)
     , fields_interval(parameters.fields_interval)
   {
@@ -144,7 +148,8 @@ namespace coapt
       surface_load =
         std::make_unique<SurfaceLoadFile>(folder.file("surface_load.csv"),
                                           model.mid_surface(
-                                            model.reference_positions()));
+                                            model.reference_positions()),
+                                          folder.continues());
   }
 
 

@@ -6,15 +6,15 @@
 
 namespace coapt
 {
-  Statistics::Statistics(const std::string &file, const MPI_Comm communicator)
+  Statistics::Statistics(const std::string &file,
+                         const MPI_Comm communicator,
+                         const bool continues)
     : file(file), is_first_rank(coapt::is_first_rank(communicator))
   {
     if (!is_first_rank)
       return;
-    stream.open(file);
-    if (!stream)
-      throw std::runtime_error(file + ": cannot be written");
-    stream << std::setprecision(12);
+    table.open(file, continues);
+    table.stream() << std::setprecision(12);
   }
 
 
@@ -24,6 +24,7 @@ namespace coapt
   {
     if (!is_first_rank)
       return;
+    std::ostream &stream = table.stream();
     const bool is_header = names.empty();
     for (unsigned int i = 0; i < row.size() && is_header; ++i)
       {
@@ -42,8 +43,7 @@ namespace coapt
 
     for (unsigned int i = 0; i < row.size(); ++i)
       stream << (i == 0 ? "" : ",") << row[i].second;
-    stream << std::endl;
-    if (!stream)
-      throw std::runtime_error(file + ": writing failed; is the disk full?");
+    stream << '\n';
+    table.flush();
   }
 } // namespace coapt

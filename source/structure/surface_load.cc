@@ -14,13 +14,14 @@ namespace coapt
   using dealii::Tensor;
 
   SurfaceLoadFile::SurfaceLoadFile(const std::string &file,
-                                   const std::vector<Point<3>> &points)
-    : file(file), points(points), stream(file)
+                                   const std::vector<Point<3>> &points,
+                                   const bool continues)
+    : points(points)
   {
-    stream.precision(6);
-    stream << "time_s,point,x_mm,y_mm,z_mm,tx_Pa,ty_Pa,tz_Pa\n";
-    if (!stream)
-      throw std::runtime_error(file + ": cannot be written");
+    table.open(file, continues);
+    table.stream().precision(6);
+    if (!continues)
+      table.stream() << "time_s,point,x_mm,y_mm,z_mm,tx_Pa,ty_Pa,tz_Pa\n";
   }
 
 
@@ -29,6 +30,7 @@ namespace coapt
   SurfaceLoadFile::write(const double time,
                          const std::vector<Tensor<1, 3>> &traction)
   {
+    std::ostream &stream = table.stream();
     for (unsigned int i = 0; i < points.size(); ++i)
       {
         stream << time << ',' << i;
@@ -38,9 +40,7 @@ namespace coapt
           stream << ',' << traction[i][d];
         stream << '\n';
       }
-    stream.flush();
-    if (!stream)
-      throw std::runtime_error(file + ": writing failed; is the disk full?");
+    table.flush();
   }
 
 

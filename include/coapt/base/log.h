@@ -24,6 +24,13 @@ namespace coapt
       std::string key;
       std::string text;
       unsigned int count;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &key &text &count;
+      }
     };
 
     /** Writes to @p terminal; no file until open(). */
@@ -31,13 +38,14 @@ namespace coapt
     Log(const MPI_Comm communicator, std::ostream &terminal);
 
     /**
-     * Starts the log file, first with what has been logged so far.
+     * Starts the log file, first with what has been logged so far; if that
+     * @p continues an earlier run, at the end of its file.
      *
      * @throws std::runtime_error on the first rank alone if the file cannot
      * be written.
      */
     void
-    open(const std::string &file);
+    open(const std::string &file, const bool continues = false);
 
     /** Writes a line to the terminal and the file. */
     void
@@ -59,6 +67,14 @@ namespace coapt
     warnings() const
     {
       return all_warnings;
+    }
+
+    /** Saves or restores the warnings. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &all_warnings;
     }
 
   private:

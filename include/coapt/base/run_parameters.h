@@ -12,6 +12,14 @@ namespace dealii
 
 namespace coapt
 {
+  /** Whether a run goes on from the checkpoint of an earlier one. */
+  enum class Resume
+  {
+    never,
+    if_possible,
+    always
+  };
+
   /** How long to run, and what to write where. Subsections Time and Output. */
   struct RunParameters
   {
@@ -41,6 +49,12 @@ namespace coapt
     /** Whether the folder may hold the results of an earlier run. */
     bool overwrite = false;
 
+    /** Whether to go on from the checkpoint in the folder. */
+    Resume resume = Resume::never;
+
+    /** Wall time between two checkpoints (s), zero for none. */
+    double checkpoint_interval = 600;
+
     /** Whether a run that has come to time @p t (s) in @p steps steps is at
      * its end. */
     bool
@@ -49,6 +63,14 @@ namespace coapt
     /** Declares all parameters with their defaults. */
     static void
     declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Declares those of checkpoints, for what can go on from them. */
+    static void
+    declare_checkpoints(dealii::ParameterHandler &prm);
+
+    /** Reads them. */
+    void
+    parse_checkpoints(dealii::ParameterHandler &prm);
 
     /**
      * Reads the declared parameters.

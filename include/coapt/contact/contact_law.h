@@ -67,6 +67,13 @@ namespace coapt
     dealii::Tensor<1, dim> slip;
     dealii::Tensor<1, dim> normal; // zero before the first contact
 
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &slip &normal;
+    }
+
     /** Turns it by the vector @p angle (rad), with which the surfaces have spun
      * since, about the normal above all: turn() would not notice that. */
     void

@@ -97,6 +97,14 @@ namespace coapt
 
       /** Mid-surface area (m^2), reference and current. */
       std::vector<double> reference_area, current_area;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &gap &pressure_impulse &normals &partner;
+        archive &reference_area &current_area;
+      }
     };
 
     /** Gap of a column with nothing near (m). */
@@ -105,6 +113,47 @@ namespace coapt
     /** Partner of a column with nothing near. */
     static constexpr unsigned int no_partner =
       std::numeric_limits<unsigned int>::max();
+
+    /** What a column keeps from step to step of a contact. */
+    struct Memory
+    {
+      ElasticSlip<3> history; // of friction
+      TributaryPatch patch;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &history &patch;
+      }
+    };
+
+    /** What a column keeps of its contacts with the nearest partner and the
+     * opposite. */
+    using Memories = std::array<Memory, 2>;
+
+    /** What contact remembers. */
+    struct Snapshot
+    {
+      ColumnState columns;
+      double time = 0;                                         // accumulated, s
+      std::vector<std::pair<unsigned int, Memories>> memories; // by column
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &columns &time &memories;
+      }
+    };
+
+    /** That of all ranks; complete on the first one only. Collective. */
+    Snapshot
+    snapshot() const;
+
+    /** Goes on from a snapshot that all ranks have; pairs are searched anew. */
+    void
+    restore(const Snapshot &snapshot);
 
     /** The state after the last apply_impulse(). */
     const ColumnState &
@@ -177,13 +226,6 @@ namespace coapt
                 const double dt,
                 ElasticSlip<3> &history);
 
-    /** What a column keeps from step to step of a contact. */
-    struct Memory
-    {
-      ElasticSlip<3> history; // of friction
-      TributaryPatch patch;
-    };
-
     /** Brings what the i-th own column remembers of its contacts into the
      * order of the normals of its @p n @p encounters. */
     void
@@ -222,8 +264,7 @@ namespace coapt
     EncounterFinder finder;
     TributaryPatches patches;
 
-    // By own column: with the nearest partner and the opposite.
-    std::vector<std::array<Memory, 2>> memories;
+    std::vector<Memories> memories; // by own column
 
     std::vector<double> sums; // what is summed over the ranks
 

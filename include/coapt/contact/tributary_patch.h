@@ -28,6 +28,13 @@ namespace coapt
     {
       unsigned int column;
       double weight;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &column &weight;
+      }
     };
 
     std::vector<Part> own, partner;
@@ -43,6 +50,13 @@ namespace coapt
      * sides from the first corner. */
     unsigned int triangle = none;
     std::array<double, 2> foot{};
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &own &partner &fraction &triangle &foot;
+    }
   };
 
 

@@ -5,6 +5,7 @@
 #include <coapt/coupled/pressure_sink.h>
 #include <coapt/coupled/replicated_nodes.h>
 #include <coapt/coupled/state_layout.h>
+#include <coapt/coupled/system_snapshot.h>
 #include <coapt/fluid/fluid_grid.h>
 #include <coapt/fluid/fluid_operator.h>
 #include <coapt/immersion/coupling_points.h>
@@ -132,6 +133,19 @@ namespace coapt
     adapt(FluidGrid<dim> &grid,
           const typename FluidGrid<dim>::WantedLevel &wanted_level,
           std::vector<double> &y);
+
+    /** What the system needs to go on from the state @p y, without the fluid;
+     * right after take_coupling_impulse(). Collective. */
+    SystemSnapshot
+    snapshot(const double *y) const;
+
+    /** The state with this @p snapshot, and with what the fluid's nodes and
+     * cells of this rank have: @p velocity and @p pressure. The octree is
+     * the one that they belong to. Collective. */
+    std::vector<double>
+    restore(const SystemSnapshot &snapshot,
+            const std::vector<double> &velocity,
+            const std::vector<double> &pressure);
 
     /** Gives the coupling points to the ranks whose cells they lie in and
      * changes the length of @p y accordingly. */

@@ -56,6 +56,14 @@ namespace coapt
       return jump;
     }
 
+    /** Saves or restores what the last update() has found. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &jump &lower &n_boxes &largest_gradient;
+    }
+
   private:
     /** Number of the box around a point. */
     std::size_t

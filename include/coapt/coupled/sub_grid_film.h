@@ -76,6 +76,15 @@ namespace coapt
       return volume;
     }
 
+    /** Saves or restores what the films remember; update() is due then. What
+     * has drained since the last one is lost. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &fed &volume;
+    }
+
   private:
     /** A column in a film. */
     struct Station

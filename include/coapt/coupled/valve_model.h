@@ -8,6 +8,7 @@
 #include <coapt/coupled/flow_indicator.h>
 #include <coapt/coupled/solid_band.h>
 #include <coapt/coupled/sub_grid_film.h>
+#include <coapt/coupled/valve_snapshot.h>
 #include <coapt/coupled/valve_structure.h>
 
 #include <memory>
@@ -37,6 +38,34 @@ namespace coapt
     /** State at rest. */
     std::vector<double>
     state_at_rest();
+
+    /** What the valve needs to go on from the state @p y, without the octree
+     * and without serialize(). Complete on the first rank. Collective. */
+    ValveSnapshot
+    snapshot(const double *y) const;
+
+    /** Writes the octree with the fluid of the state @p y on it. Collective. */
+    void
+    save_octree(const std::string &name, const double *y);
+
+    /** Throws InputError if the @p snapshot is of another valve. */
+    void
+    check_snapshot(const ValveSnapshot &snapshot) const;
+
+    /** The state with this @p snapshot, and with an octree from files; after
+     * serialize(). Collective. */
+    std::vector<double>
+    restore(const ValveSnapshot &snapshot, const std::string &octree);
+
+    /** Saves or restores what flow and films have led to. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &flow_indicator &time_of_film &time_since_film;
+      if (film)
+        archive &*film;
+    }
 
     /** Whether the leaflet has used up the refined band around it. */
     bool
@@ -114,9 +143,10 @@ namespace coapt
     std::vector<dealii::Point<3>>
     dense_positions(const std::vector<double> &X) const;
 
-    /** Tells where the coupling points make work. */
+    /** Places the band around the solid with the nodes @p X (m) that move at
+     * @p V (m/s; empty: at rest), and tells where the points make work. */
     void
-    place_work(const std::vector<double> &X);
+    follow(const std::vector<double> &X, const std::vector<double> &V);
 
     /** A fluid cell of this rank that has the @p node. */
     unsigned int
@@ -140,6 +170,9 @@ namespace coapt
 
     /** Column that is nearest to each coupling point. */
     std::vector<unsigned int> column_of_point;
+
+    /** What the last follow() was given. */
+    std::vector<double> followed_positions, followed_velocities;
 
     SolidBand<3> band;
     FlowIndicator<3> flow_indicator;

@@ -37,6 +37,13 @@ namespace coapt
     double impedance = 0;
     /** Power of the pressures p(t) at the ends on the fluid. */
     double ends = 0;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &viscous &artificial &hourglass &checkerboard &impedance &ends;
+    }
   };
 
   /** The largest nodal velocity of all ranks (m/s) and its place (m). */

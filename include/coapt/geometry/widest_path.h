@@ -20,6 +20,13 @@ namespace coapt
 
     /** Where it is (m). */
     dealii::Point<3> position;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &width &position;
+    }
   };
 
   /**

@@ -178,6 +178,36 @@ namespace coapt
       return active[id];
     }
 
+    /** Whether each point carries coupling now, by its number. */
+    const std::vector<bool> &
+    active_points() const
+    {
+      return active;
+    }
+
+    /** Multipliers (N/m^3) of all points by number, zero for those that carry
+     * no coupling, from the @p multiplier of those of this rank (empty: zero).
+     * Collective. */
+    std::vector<double>
+    all_multipliers(const std::vector<double> &multiplier) const;
+
+    /** Sets which points carry coupling, as they did in an earlier run;
+     * distribute_all() is due then. */
+    void
+    set_active(const std::vector<bool> &active)
+    {
+      this->active = active;
+    }
+
+    /** Gives every point to the rank that owns its fluid cell, with the
+     * multipliers @p all of all points by number. Sets @p multiplier.
+     * Collective. */
+    void
+    distribute_all(const FluidOperator<dim> &fluid,
+                   const double *X,
+                   std::vector<double> all,
+                   std::vector<double> &multiplier);
+
     /** Number of points of all ranks that carry coupling now. */
     unsigned int
     n_active() const

@@ -77,12 +77,27 @@ namespace coapt
                   const std::vector<double> &X,
                   const std::vector<double> &V);
 
+    /** Saves or restores which files there are. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &fluid_series &leaflet_series &chordae_series;
+    }
+
   private:
     /** Files of one name that have been written. */
     struct Series
     {
       std::string name;
       std::vector<std::pair<double, std::string>> entries;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &entries;
+      }
     };
 
     /** "NAME_NUMBER" of the file to be written now. */

@@ -1,6 +1,8 @@
 #ifndef coapt_io_output_folder_h
 #define coapt_io_output_folder_h
 
+#include <coapt/base/run_parameters.h>
+
 #include <mpi.h>
 
 #include <string>
@@ -22,19 +24,36 @@ namespace coapt
   {
   public:
     /**
-     * Looks whether @p path can be used. Collective: all ranks throw alike.
+     * Looks whether @p path can be used, and whether a run goes on there from a
+     * checkpoint. Collective: all ranks throw alike.
      *
      * @throws InputError if the path is no folder, or holds another run and
-     * @p overwrite is false.
+     * @p overwrite is false, or if there is no checkpoint and @p resume needs
+     * one.
      */
     OutputFolder(const std::string &path,
                  const bool overwrite,
-                 const MPI_Comm communicator);
+                 const MPI_Comm communicator,
+                 const Resume resume = Resume::never);
+
+    /** Whether the run goes on from a checkpoint of an earlier one. */
+    bool
+    continues() const
+    {
+      return !from_checkpoint.empty();
+    }
+
+    /** Path of the checkpoint that the run goes on from. */
+    const std::string &
+    checkpoint() const
+    {
+      return from_checkpoint;
+    }
 
     /**
      * Creates the folder and its subfolder fields, and removes what an earlier
-     * run has left there (the files of the names above; no others).
-     * Collective.
+     * run has left there (the files of the names above; no others), unless this
+     * one continues it. Collective.
      *
      * @throws InputError on all ranks if that cannot be done.
      */
@@ -60,6 +79,7 @@ namespace coapt
 
   private:
     std::string path;
+    std::string from_checkpoint;
     MPI_Comm communicator;
   };
 } // namespace coapt

@@ -57,6 +57,15 @@ namespace coapt
     Summary
     write_summary(const RunCost &cost) const;
 
+    /** Saves or restores what has been recorded. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &fields &statistics &chordae_table &report &next_fields;
+      archive &last_fields;
+    }
+
   protected:
     /** Measures the state @p y. Collective. */
     virtual ValveSample
@@ -103,6 +112,17 @@ namespace coapt
 
     void
     write_fields(const double t, const double *y) override;
+
+    /** Saves or restores what has been recorded. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int version)
+    {
+      Recorder::serialize(archive, version);
+      // At the end of the archive, for the first rank alone has it.
+      if (surface_load)
+        archive &*surface_load;
+    }
 
   protected:
     /** Writes the surface load, too, if that is wanted. */

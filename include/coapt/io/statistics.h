@@ -1,9 +1,10 @@
 #ifndef coapt_io_statistics_h
 #define coapt_io_statistics_h
 
+#include <coapt/base/growing_file.h>
+
 #include <mpi.h>
 
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,22 +23,33 @@ namespace coapt
     using Entry = std::pair<std::string, double>;
 
     /**
-     * Starts the table in @p file.
+     * Starts the table in @p file, or goes on with it if it @p continues that
+     * of an earlier run.
      *
      * @throws std::runtime_error on the first rank alone if it cannot be
      * written; all ranks must then be ended.
      */
-    Statistics(const std::string &file, const MPI_Comm communicator);
+    Statistics(const std::string &file,
+               const MPI_Comm communicator,
+               const bool continues = false);
 
     /** Writes a row; the first one gives the header. All rows must have the
      * same names in the same order (std::logic_error otherwise). */
     void
     write_row(const std::vector<Entry> &row);
 
+    /** Saves or restores how far the table has come. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &table &names;
+    }
+
   private:
     const std::string file;
     const bool is_first_rank;
-    std::ofstream stream;
+    GrowingFile table;
     std::vector<std::string> names;
   };
 } // namespace coapt

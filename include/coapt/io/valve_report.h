@@ -108,6 +108,14 @@ namespace coapt
     std::string
     doubt_about_orifice(const double density) const;
 
+    /** Saves or restores what has been collected. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &samples &n_in_window &contact_pressure &total_traction;
+    }
+
   private:
     /** Mean leak over the window. */
     Leak

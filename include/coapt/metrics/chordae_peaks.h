@@ -20,6 +20,13 @@ namespace coapt
       double tension = 0; // N
       double time    = 0; // s
       std::string id;     // of the chorda; empty if none was taut
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &tension &time &id;
+      }
     };
 
     ChordaePeaks(const std::vector<Chorda> &chordae);
@@ -36,6 +43,14 @@ namespace coapt
     /** Sum of the @p tensions (N) in each class, indexed by ChordaClass. */
     std::array<double, n_classes>
     class_tensions(const std::vector<double> &tensions) const;
+
+    /** Saves or restores the peaks so far. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &peaks;
+    }
 
   private:
     std::vector<std::string> ids;

@@ -47,6 +47,13 @@ namespace coapt
     /** Mean height of the coapting part of the lines (m), in the reference
      * configuration. */
     double mean_height = 0;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &continuous &longest_gap &missing_columns &mean_height;
+    }
   };
 
   /** Coaptation of the whole valve. */
@@ -62,6 +69,14 @@ namespace coapt
 
     bool continuous          = false; // both leaflets
     unsigned int longest_gap = 0;     // elements, the longer of both
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &area &force &contact_force &contact_fraction &max_traction;
+      archive &anterior &posterior &continuous &longest_gap;
+    }
   };
 
   /**

@@ -51,6 +51,14 @@ namespace coapt
       return slip;
     }
 
+    /** Saves or restores what has been so far. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &last_time &first &slip;
+    }
+
   private:
     const double clearance, thickness;
     double last_time = 0;

@@ -36,6 +36,13 @@ namespace coapt
       {
         return fluid_kinetic + acoustic + solid_kinetic + elastic + multiplier;
       }
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &fluid_kinetic &acoustic &solid_kinetic &elastic &multiplier;
+      }
     };
 
     /** Work done since the start (J). Dissipation is positive. */
@@ -86,6 +93,14 @@ namespace coapt
           fluid.checkerboard + fluid.impedance + solid_losses + slip_losses +
           film_losses;
       }
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &ends &driven_sides &loads &contact &motion &adaptation;
+        archive &relaxation &fluid &solid_losses &slip_losses &film_losses;
+      }
     };
 
     /** Names, with the unit, and values of works and energies. */
@@ -130,6 +145,14 @@ namespace coapt
     double
     relative_error(const Energies &stored) const;
 
+    /** Saves or restores the books. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &started &last_time &initial &largest_input &last &works;
+    }
+
   private:
     struct Powers
     {
@@ -138,6 +161,14 @@ namespace coapt
 
       // Multiplier energy and its stiffness k, which follows the step length.
       double multiplier = 0, stiffness = 0;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &fluid &driven_sides &loads &solid &slip &film;
+        archive &multiplier &stiffness;
+      }
     };
 
     Powers

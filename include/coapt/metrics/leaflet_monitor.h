@@ -65,6 +65,23 @@ namespace coapt
     WidestPath path;
     Orifice orifice;
     CoaptationResult coaptation;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &time &pressure &inflow &outflow;
+      archive &swept_flow &peak_outflow &outflow_volume &drained_volume;
+      archive &swept_volume &contact_force &coaptation_force &coaptation_area;
+      archive &coaptation_pressure &min_gap &path_width &path_gap;
+      archive &bulging_volume &tissue_flow &reynolds &displacement;
+      archive &largest_velocity &slip_rms &hourglass_rms &checkerboard_rms;
+      archive &point_spacing &mean_stress &mean_principal &mean_strain;
+      archive &smallest_stretch &distorted_cells &energy_error &closure_error;
+      archive &crushed_place &annulus_force &works &energies;
+      archive &chordae_tension &chorda_tension &plane_flow &held_displacement;
+      archive &path &orifice &coaptation;
+    }
   };
 
   /**
@@ -155,6 +172,15 @@ namespace coapt
     CoaptationResult
     coaptation(const std::vector<double> &contact_pressure,
                const std::vector<double> &total_traction) const;
+
+    /** Saves or restores what has been so far. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &peaks &total_swept &surface_points &column_contact_pressure;
+      archive &column_traction &history;
+    }
 
   protected:
     /** Adds what the leaflets have swept since the last call, takes the

@@ -18,6 +18,13 @@ namespace coapt
     double disc = 0;
     dealii::Point<2> center;
     /** @} */
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &area &disc &center;
+    }
   };
 
   /**

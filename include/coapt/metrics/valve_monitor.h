@@ -55,6 +55,16 @@ namespace coapt
     }
     /** @} */
 
+    /** Saves or restores what has been so far. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int version)
+    {
+      LeafletMonitor::serialize(archive, version);
+      archive &audit &started &last_time &last_outflow &outflow_volume;
+      archive &largest_outflow &window &column_load;
+    }
+
   private:
     /** Load of the blood on all nodes (N, triples), the mean since the last
      * sample; begins the next window. Collective. */

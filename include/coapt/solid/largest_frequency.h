@@ -42,6 +42,19 @@ namespace coapt
     typename SolidOperator<dim>::StepBound
     update(const double *X);
 
+    /** Saves or restores the shape found so far and the state of the noise. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      std::stringstream state;
+      state << noise;
+      std::string text = state.str();
+      archive &is_new &shape &text;
+      state.str(text);
+      state >> noise;
+    }
+
   private:
     /** Adds noise to the nodes of a cell, up to 0.3 of @p largest. */
     void

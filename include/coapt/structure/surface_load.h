@@ -4,9 +4,9 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <coapt/base/growing_file.h>
 #include <coapt/geometry/leaflet.h>
 
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -20,19 +20,28 @@ namespace coapt
   class SurfaceLoadFile
   {
   public:
-    /** Writes into @p file about the @p points (m).
+    /** Writes into @p file about the @p points (m); if it @p continues an
+     * earlier run, at the end of its file.
      * @throws std::runtime_error if it cannot. */
     SurfaceLoadFile(const std::string &file,
-                    const std::vector<dealii::Point<3>> &points);
+                    const std::vector<dealii::Point<3>> &points,
+                    const bool continues = false);
 
     /** Adds the tractions (Pa) of all points at @p time (s). */
     void
     write(const double time, const std::vector<dealii::Tensor<1, 3>> &traction);
 
+    /** Saves or restores how far the file has come. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &table;
+    }
+
   private:
-    const std::string file;
     const std::vector<dealii::Point<3>> points;
-    std::ofstream stream;
+    GrowingFile table;
   };
 
 

@@ -59,14 +59,22 @@ namespace coapt
       return current_time;
     }
 
-    /** Number of steps since construction. */
+    /** Counts on from what an earlier run has done; start() sets the time. */
+    void
+    count_from(const unsigned long steps, const unsigned long evaluations)
+    {
+      this->steps       = steps;
+      this->evaluations = evaluations;
+    }
+
+    /** Number of steps so far. */
     unsigned long
     n_steps() const
     {
       return steps;
     }
 
-    /** Number of evaluations of the right-hand side since construction. */
+    /** Number of evaluations of the right-hand side so far. */
     unsigned long
     n_evaluations() const
     {

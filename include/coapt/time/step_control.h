@@ -65,6 +65,14 @@ namespace coapt
       return limiting_part;
     }
 
+    /** Saves or restores the length and its reason. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &length &limiting_part;
+    }
+
   private:
     StepParameters parameters;
     double length = 0;

@@ -1,0 +1,35 @@
+#ifndef coapt_coupled_valve_snapshot_h
+#define coapt_coupled_valve_snapshot_h
+
+#include <coapt/contact/mid_surface_contact.h>
+#include <coapt/coupled/system_snapshot.h>
+
+#include <vector>
+
+namespace coapt
+{
+  /** What a valve in blood needs, besides the state of the fluid, to go on from
+   * where it was, on any number of ranks. */
+  struct ValveSnapshot
+  {
+    unsigned int coarse_cells = 0; // of the octree
+    double coarse_size        = 0; // m
+    SystemSnapshot system;
+    MidSurfaceContact::Snapshot contact;
+
+    /** Positions (m) and velocities (m/s) of the solid's nodes when the octree
+     * was adapted to them. @{ */
+    std::vector<double> adapted_positions, adapted_velocities;
+    /** @} */
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &coarse_cells &coarse_size &system &contact &adapted_positions
+        &adapted_velocities;
+    }
+  };
+} // namespace coapt
+
+#endif

@@ -1,0 +1,67 @@
+#ifndef coapt_io_checkpoint_folder_h
+#define coapt_io_checkpoint_folder_h
+
+#include <coapt/base/log.h>
+
+#include <mpi.h>
+
+#include <chrono>
+#include <string>
+
+namespace coapt
+{
+  /**
+   * Where a run keeps its last checkpoint: the folder "checkpoint" of its
+   * output folder. The next one is written beside it and takes its place when
+   * it is complete, so that there is always one to go on from.
+   */
+  class CheckpointFolder
+  {
+  public:
+    /** In the output folder @p path, one each @p interval (s of wall time),
+     * none if that is zero. */
+    CheckpointFolder(const std::string &path,
+                     const double interval,
+                     MPI_Comm communicator);
+
+    /** Whether it is time for the next one. Collective. */
+    bool
+    is_due() const;
+
+    /**
+     * Begins a checkpoint of about @p size bytes; returns the path of the
+     * folder for its files, which exists. If the disk has no room for that, it
+     * warns instead, and returns an empty path. Collective.
+     *
+     * @throws InputError on all ranks if the folder cannot be made.
+     */
+    std::string
+    begin(const double size, Log &log);
+
+    /** Puts the complete checkpoint in the place of the last one. Collective.
+     *
+     * @throws InputError on all ranks if that fails. */
+    void
+    finish();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    const std::string path;
+    const double interval;
+    const MPI_Comm communicator;
+    Clock::time_point last = Clock::now();
+  };
+
+  /** Path of the complete checkpoint in the output folder @p path; empty if
+   * there is none. */
+  std::string
+  last_checkpoint(const std::string &path);
+
+  /** Removes all checkpoints from the output folder @p path; throws
+   * std::filesystem::filesystem_error. */
+  void
+  remove_checkpoints(const std::string &path);
+} // namespace coapt
+
+#endif
