@@ -28,9 +28,6 @@ namespace coapt
     if (structure.in_blood && model.import.is_wanted)
       throw InputError("Valve/Source = imported needs Structure/Fluid = none; "
                        "blood flows around generated valves only");
-    if (!structure.in_blood && run.resume != Resume::never)
-      throw InputError("Output/Resume = false is needed with Structure/Fluid = "
-                       "none; only a valve in blood has checkpoints");
     if (structure.in_blood)
       model.contact.check_damping();
   }

@@ -1,7 +1,10 @@
 #include <coapt/base/exceptions.h>
+#include <coapt/base/first_rank.h>
 #include <coapt/io/console.h>
 #include <coapt/valve_study.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace coapt
@@ -27,11 +30,29 @@ namespace coapt
                                               "energy_error_relative",
                                               "work_of_adaptation_relative"};
 
+    /** Relative change to a value of the row before, if there is one. */
     double
-    change(const double before, const double now)
+    change(const std::vector<Study::Row> &before,
+           const std::string &name,
+           const double now)
     {
-      return before == 0 ? std::numeric_limits<double>::quiet_NaN()
-                         : now / before - 1;
+      if (!before.empty())
+        for (const auto &entry : before.back())
+          if (entry.first == name && entry.second != 0)
+            return now / entry.second - 1;
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+
+    /** Whether two entries are the same, of which one has been written with
+     * nine digits; what is no number is the same as another such thing. */
+    bool
+    is_same_entry(const std::pair<std::string, double> &a,
+                  const std::pair<std::string, double> &b)
+    {
+      return a.first == b.first &&
+        (std::isnan(a.second)
+           ? std::isnan(b.second)
+           : std::abs(a.second - b.second) <= 1e-8 * std::abs(a.second));
     }
   } // namespace
 
@@ -70,8 +91,10 @@ namespace coapt
     Study(log, communicator)
       .run(
         cases.size(),
-        [this](const unsigned int i, const OutputFolder &own) {
-          return run_one(i, own);
+        [this](const unsigned int i,
+               const OutputFolder &own,
+               const std::vector<Study::Row> &before) {
+          return run_one(i, own, before);
         },
         header,
         folder);
@@ -79,28 +102,60 @@ namespace coapt
 
 
 
+  void
+  ValveStudy::check_checkpoint(const OutputFolder &folder) const
+  {
+    if (!folder.continues())
+      return;
+    const std::string file = folder.file("study.csv");
+    on_first_rank(communicator, [&]() -> std::string {
+      try
+        {
+          const std::vector<Study::Row> rows = Study::read_table(file);
+          bool fits                          = rows.size() <= cases.size();
+          for (unsigned int i = 0; i < rows.size() && fits; ++i)
+            {
+              const Study::Row wanted = varied.columns(i);
+              fits                    = rows[i].size() >= wanted.size() &&
+                std::equal(wanted.begin(),
+                           wanted.end(),
+                           rows[i].begin(),
+                           is_same_entry);
+            }
+          return fits ? "" : file + " is the table of another study";
+        }
+      catch (const InputError &error)
+        {
+          return error.what();
+        }
+    });
+  }
+
+
+
   Study::Row
-  ValveStudy::run_one(const unsigned int i, const OutputFolder &folder)
+  ValveStudy::run_one(const unsigned int i,
+                      const OutputFolder &folder,
+                      const std::vector<Study::Row> &before)
   {
     log.line("run " + std::to_string(i + 1) + " of " +
              std::to_string(cases.size()) + ": " + varied.label(i));
     Log own_log(communicator);
-    own_log.open(folder.file("coapt.log"));
+    const auto valve = make_valve_run(cases[i], own_log, communicator);
+    valve->check_checkpoint(folder);
+    own_log.open(folder.file("coapt.log"), folder.continues());
     own_log.line(Console::banner(communicator));
-    results.push_back(
-      make_valve_run(cases[i], own_log, communicator)->run(folder));
+    const Summary result = valve->run(folder);
 
     Study::Row row = varied.columns(i);
     for (const std::string &name : costs)
-      row.emplace_back(name, results[i].number(name));
+      row.emplace_back(name, result.number(name));
     for (const std::string &name : figures)
       {
-        row.emplace_back(name, results[i].number(name));
+        const double value = result.number(name);
+        row.emplace_back(name, value);
         if (name != "sealed")
-          row.emplace_back(name + "_change",
-                           i == 0 ? std::numeric_limits<double>::quiet_NaN()
-                                  : change(results[i - 1].number(name),
-                                           results[i].number(name)));
+          row.emplace_back(name + "_change", change(before, name, value));
       }
     return row;
   }

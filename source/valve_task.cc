@@ -26,9 +26,10 @@ namespace coapt
     with_file_name(file, [&]() {
       parameters.parse_parameters(prm);
       varied.parse_parameters(prm);
-      if (varied.n_runs() > 0 && parameters.run.resume != Resume::never)
-        throw InputError("Output/Resume = false is needed for a study; only "
-                         "a single run goes on from its checkpoint");
+      if (varied.n_runs() == 0 && !parameters.structure.in_blood &&
+          parameters.run.resume != Resume::never)
+        throw InputError("Output/Resume = false is needed with Structure/Fluid "
+                         "= none; only a valve in blood has checkpoints");
     });
     parameters.model.folder =
       std::filesystem::path(file).parent_path().string();
@@ -54,7 +55,9 @@ namespace coapt
   void
   ValveTask::check_checkpoint(const OutputFolder &folder)
   {
-    if (simulation)
+    if (study)
+      study->check_checkpoint(folder);
+    else
       simulation->check_checkpoint(folder);
   }
 

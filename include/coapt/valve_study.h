@@ -27,21 +27,28 @@ namespace coapt
                Log &log,
                MPI_Comm communicator);
 
+    /** Finds out whether the table in @p folder is one of this study, where it
+     * is to go on; throws InputError. Writes nothing. Collective. */
+    void
+    check_checkpoint(const OutputFolder &folder) const;
+
     /** Runs all, each into a folder of its own below @p folder, with a table of
      * them there. Throws NumericalError. Collective. */
     void
     run(const OutputFolder &folder);
 
   private:
-    /** Runs one; returns its columns of the table. */
+    /** Runs one; returns its columns of the table, of which those @p before are
+     * known. */
     Study::Row
-    run_one(const unsigned int i, const OutputFolder &folder);
+    run_one(const unsigned int i,
+            const OutputFolder &folder,
+            const std::vector<Study::Row> &before);
 
     VariedParameters varied;
     Log &log;
     MPI_Comm communicator;
     std::vector<SimulationParameters> cases;
-    std::vector<Summary> results;
   };
 } // namespace coapt
 

@@ -128,7 +128,8 @@ namespace coapt
                       "any number of processes: false begins anew, true needs "
                       "a checkpoint, auto goes on if there is one. Meshes must "
                       "be the same; other parameters may have changed. Tables "
-                      "and fields go on, too.");
+                      "and fields go on, too. A study goes on with the first "
+                      "run that is not in its table.");
     prm.leave_subsection();
   }
 

@@ -68,7 +68,9 @@ namespace coapt
     Study(log, communicator)
       .run(
         cases.size(),
-        [this](const unsigned int i, const OutputFolder &own) {
+        [this](const unsigned int i,
+               const OutputFolder &own,
+               const std::vector<Study::Row> &) {
           FlowRun<dim> flow(cases[i].parameters,
                             cases[i].level,
                             cases[i].label,

@@ -106,7 +106,7 @@ namespace coapt
     for (const std::string name : {present, previous})
       if (fs::is_directory(path + name, code))
         return path + name;
-    return "";
+    return fs::is_directory(path + "/run_1", code) ? path : "";
   }
 
 

@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <coapt/base/csv_table.h>
 #include <coapt/base/first_rank.h>
 #include <coapt/base/version.h>
 #include <coapt/io/study.h>
@@ -7,7 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 
 namespace coapt
@@ -56,13 +60,21 @@ namespace coapt
              const OutputFolder &folder)
   {
     rows.clear();
-    for (unsigned int i = 0; i < n_runs; ++i)
+    if (folder.continues() && is_first_rank(communicator))
+      rows = read_table(folder.file("study.csv"));
+    rows.resize(dealii::Utilities::MPI::broadcast(communicator, rows.size()));
+    if (!rows.empty())
+      log.line("runs 1 to " + std::to_string(rows.size()) +
+               " are there already");
+    for (unsigned int i = rows.size(); i < n_runs; ++i)
       {
         const OutputFolder own(folder.file("run_" + std::to_string(i + 1)),
                                true,
-                               communicator);
+                               communicator,
+                               folder.continues() ? Resume::if_possible
+                                                  : Resume::never);
         own.create();
-        rows.push_back(run(i, own));
+        rows.push_back(run(i, own, rows));
         if (is_first_rank(communicator))
           {
             write_table(folder.file("study.csv"));
@@ -71,6 +83,27 @@ namespace coapt
       }
     if (is_first_rank(communicator))
       print_table();
+  }
+
+
+
+  std::vector<Study::Row>
+  Study::read_table(const std::string &file)
+  {
+    if (!std::filesystem::exists(file))
+      return {};
+    const CsvTable table(file);
+    std::vector<Row> result(table.n_rows());
+    for (const std::string &name : table.column_names())
+      {
+        const std::vector<std::string> column = table.texts(name);
+        for (unsigned int i = 0; i < result.size(); ++i)
+          result[i].emplace_back(name,
+                                 column[i].empty()
+                                   ? std::numeric_limits<double>::quiet_NaN()
+                                   : std::strtod(column[i].c_str(), nullptr));
+      }
+    return result;
   }
 
 

@@ -25,6 +25,13 @@ namespace coapt
       return rows.size();
     }
 
+    /** Names of the columns in their order. */
+    const std::vector<std::string> &
+    column_names() const
+    {
+      return names;
+    }
+
     /** Whether there is a column @p name. */
     bool
     has(const std::string &name) const;

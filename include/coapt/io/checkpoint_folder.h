@@ -53,8 +53,8 @@ namespace coapt
     Clock::time_point last = Clock::now();
   };
 
-  /** Path of the complete checkpoint in the output folder @p path; empty if
-   * there is none. */
+  /** Path of the complete checkpoint in the output folder @p path, or if that
+   * is the folder of a study, this path; empty if there is none. */
   std::string
   last_checkpoint(const std::string &path);
 

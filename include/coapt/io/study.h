@@ -15,7 +15,8 @@ namespace coapt
   /**
    * A series of runs, each into a folder of its own, run_1, run_2 and so on,
    * with a table of what they gave: study.csv and summary.json, which are kept
-   * up to date, and lines in the log at the end.
+   * up to date, and lines in the log at the end. A study that was interrupted
+   * goes on with the first run that is not in the table.
    */
   class Study
   {
@@ -23,9 +24,11 @@ namespace coapt
     /** Names and values of the columns; not-a-number if there is no value. */
     using Row = std::vector<std::pair<std::string, double>>;
 
-    /** Does the run of this number (from 0) into the folder. Collective; only
-     * the row of the first rank matters. */
-    using Run = std::function<Row(const unsigned int, const OutputFolder &)>;
+    /** Does the run of this number (from 0) into the folder, given the rows of
+     * those before, which the first rank knows. Collective; only the row of the
+     * first rank matters. */
+    using Run = std::function<
+      Row(const unsigned int, const OutputFolder &, const std::vector<Row> &)>;
 
     Study(Log &log, MPI_Comm communicator);
 
@@ -35,6 +38,11 @@ namespace coapt
         const Run &run,
         const Summary &header,
         const OutputFolder &folder);
+
+    /** The rows of a table in @p file; none if there is no such file. Throws
+     * InputError. */
+    static std::vector<Row>
+    read_table(const std::string &file);
 
   private:
     void
