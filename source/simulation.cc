@@ -77,6 +77,9 @@ namespace coapt
       {
         begin();
         record();
+        // so that a run can always go on that is started again and again
+        if (parameters.run.resume == Resume::if_possible)
+          save(checkpoints, recorder);
       }
     while (!is_over())
       {
@@ -85,7 +88,7 @@ namespace coapt
                 recorder);
         check_finite(recorder);
         record();
-        if (checkpoints.is_due())
+        if (checkpoints.is_due() || (checkpoints.is_in_use() && is_over()))
           save(checkpoints, recorder);
       }
     recorder.finish(integrator.time(), state.data());

@@ -1,9 +1,9 @@
 #include <coapt/base/exceptions.h>
 #include <coapt/base/first_rank.h>
 #include <coapt/base/serialization.h>
+#include <coapt/io/checkpoint_file.h>
 #include <coapt/simulation.h>
 
-#include <fstream>
 #include <sstream>
 
 // How a simulation writes checkpoints and goes on from them: the octree with
@@ -13,61 +13,31 @@ namespace coapt
 {
   namespace
   {
-    // What a file of the state begins with; the number grows with its format.
-    const std::string title = "coapt checkpoint 1\n";
-
     std::string
     octree_in(const std::string &folder)
     {
       return folder + "/octree";
     }
 
-    std::string
-    state_in(const std::string &folder)
+    /** The content of the checkpoint's file, read by the first rank, on all.
+     * Throws InputError. */
+    std::istringstream
+    read_on_all(const std::string &folder, MPI_Comm communicator)
     {
-      return folder + "/state";
-    }
-
-    /** The content of a file, read by the first rank, on all. Throws
-     * InputError.
-     */
-    std::string
-    read_on_all(const std::string &file, MPI_Comm communicator)
-    {
-      std::ostringstream content;
+      std::string content;
       on_first_rank(communicator, [&]() -> std::string {
-        std::ifstream in(file, std::ios::binary);
-        return in && content << in.rdbuf() ? "" : file + ": cannot be read";
+        try
+          {
+            content = read_checkpoint_file(folder);
+          }
+        catch (const InputError &error)
+          {
+            return error.what();
+          }
+        return "";
       });
-      return dealii::Utilities::MPI::broadcast(communicator, content.str());
-    }
-
-    /** Reads the file of the first rank: the snapshot of the valve, and with @p
-     * read_rest what follows it. Throws InputError. Collective. */
-    template <typename ReadRest>
-    ValveSnapshot
-    read_state(const std::string &folder,
-               MPI_Comm communicator,
-               const ReadRest &read_rest)
-    {
-      const std::string file = state_in(folder);
-      std::istringstream in(read_on_all(file, communicator));
-      std::string found(title.size(), ' ');
-      in.read(&found[0], found.size());
-      if (found != title)
-        throw InputError(file + " is no checkpoint, or one of another version");
-      ValveSnapshot snapshot;
-      try
-        {
-          boost::archive::binary_iarchive archive(in);
-          archive >> snapshot;
-          read_rest(archive);
-        }
-      catch (const boost::archive::archive_exception &error)
-        {
-          throw InputError(file + " is damaged (" + error.what() + ")");
-        }
-      return snapshot;
+      return std::istringstream(
+        dealii::Utilities::MPI::broadcast(communicator, content));
     }
   } // namespace
 
@@ -97,9 +67,19 @@ namespace coapt
   void
   Simulation::check_checkpoint(const OutputFolder &folder)
   {
-    if (folder.continues())
-      model.check_snapshot(
-        read_state(folder.checkpoint(), communicator, [](auto &) {}));
+    if (!folder.continues())
+      return;
+    std::istringstream in = read_on_all(folder.checkpoint(), communicator);
+    boost::archive::binary_iarchive archive(in);
+    ValveSnapshot snapshot;
+    std::size_t n_planes = 0;
+    archive >> snapshot >> n_planes;
+    model.check_snapshot(snapshot);
+    if (n_planes != parameters.run.flow_planes.size())
+      throw InputError("Output/Flow planes has " +
+                       std::to_string(parameters.run.flow_planes.size()) +
+                       " planes, but must have as many as the checkpoint, " +
+                       std::to_string(n_planes));
   }
 
 
@@ -113,7 +93,7 @@ namespace coapt
     const std::string folder = checkpoints.begin(
       500. * model.grid->triangulation().n_global_active_cells() +
         500. * model.leaflet.mesh.points.size() +
-        200. * model.points->n_points() + 1e7,
+        200. * model.points->n_points() + 1e6,
       log);
     if (folder.empty())
       return;
@@ -121,16 +101,14 @@ namespace coapt
     const ValveSnapshot snapshot = model.snapshot(state.data());
     if (is_first_rank(communicator))
       {
-        std::ofstream out(state_in(folder), std::ios::binary);
-        out << title;
+        std::ostringstream out;
         boost::archive::binary_oarchive archive(out);
-        archive << snapshot;
+        const std::size_t n_planes = parameters.run.flow_planes.size();
+        archive << snapshot << n_planes;
         serialize(archive, recorder);
-        if (!out.flush())
-          throw std::runtime_error(state_in(folder) +
-                                   ": writing failed; is the disk full?");
+        write_checkpoint_file(folder, out.str());
       }
-    checkpoints.finish();
+    checkpoints.finish(log);
   }
 
 
@@ -138,10 +116,12 @@ namespace coapt
   void
   Simulation::load(const std::string &folder, ValveRecorder &recorder)
   {
-    const ValveSnapshot snapshot =
-      read_state(folder, communicator, [&](auto &archive) {
-        serialize(archive, recorder);
-      });
+    std::istringstream in = read_on_all(folder, communicator);
+    boost::archive::binary_iarchive archive(in);
+    ValveSnapshot snapshot;
+    std::size_t n_planes = 0;
+    archive >> snapshot >> n_planes;
+    serialize(archive, recorder);
     state = model.restore(snapshot, octree_in(folder));
     integrator.start(last_finite_time, state);
     last_finite_state = state;

@@ -74,4 +74,20 @@ namespace coapt
     all_warnings.push_back({key, text, 1});
     line("warning: " + text);
   }
+
+
+
+  void
+  Log::put_before(const std::vector<Warning> &earlier)
+  {
+    const std::vector<Warning> own = all_warnings;
+    all_warnings                   = earlier;
+    for (const Warning &warning : own)
+      if (std::none_of(earlier.begin(),
+                       earlier.end(),
+                       [&](const Warning &other) {
+                         return other.key == warning.key;
+                       }))
+        all_warnings.push_back(warning);
+  }
 } // namespace coapt

@@ -15,7 +15,7 @@ namespace coapt
     std::vector<Entry> own;
     for (unsigned int i = 0; i < own_columns.size(); ++i)
       own.emplace_back(own_columns[i], memories[i]);
-    Snapshot result{columns, time, {}};
+    Snapshot result{columns, time, finder.phase(), {}};
     for (const std::vector<Entry> &of_rank :
          dealii::Utilities::MPI::gather(communicator, own))
       result.memories.insert(result.memories.end(),
@@ -31,6 +31,7 @@ namespace coapt
   {
     columns = snapshot.columns;
     time    = snapshot.time;
+    finder.restore(snapshot.search);
     std::map<unsigned int, Memories> by_column(snapshot.memories.begin(),
                                                snapshot.memories.end());
     for (unsigned int i = 0; i < own_columns.size(); ++i)

@@ -38,6 +38,15 @@ namespace coapt
 
 
 
+  void
+  EncounterFinder::restore(const Phase &phase)
+  {
+    steps_since_check = phase.steps;
+    search.find(phase.points, onset + parameters.search_margin);
+  }
+
+
+
   // Two columns approach by twice their displacement at most. Candidates are
   // complete for all gaps to be reported while this is below half the margin;
   // renewal before that only makes them fewer to look at.

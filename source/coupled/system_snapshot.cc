@@ -20,6 +20,7 @@ namespace coapt
     result.impulse_work  = impulse_work;
     result.motion_work   = motion_work;
     result.step_length   = step_length;
+    result.points_left   = points_left;
     return result;
   }
 
@@ -35,6 +36,7 @@ namespace coapt
     impulse_start = snapshot.impulse_start;
     impulse_work  = snapshot.impulse_work;
     motion_work   = snapshot.motion_work;
+    points_left   = snapshot.points_left;
     begin_step(snapshot.step_length);
 
     std::vector<double> multiplier;

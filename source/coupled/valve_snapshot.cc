@@ -10,8 +10,11 @@ namespace coapt
   {
     return {grid->triangulation().n_cells(0),
             parameters.mesh.coarse_cell,
+            static_cast<unsigned int>(chordae->chordae().size()),
             system->snapshot(y),
             contact->snapshot(),
+            film ? film->history() : SubGridFilm::History(),
+            time_of_film + time_since_film,
             followed_positions,
             followed_velocities};
   }
@@ -49,6 +52,7 @@ namespace coapt
     check(snapshot.coarse_size,
           parameters.mesh.coarse_cell,
           "m as size of a coarse cell");
+    check(snapshot.n_chordae, chordae->chordae().size(), "chordae");
     check(snapshot.system.positions.size() / 3,
           leaflet.mesh.points.size(),
           "nodes of the leaflets");
@@ -69,8 +73,12 @@ namespace coapt
     contact->restore(snapshot.contact);
     const std::vector<double> y =
       system->restore(snapshot.system, velocity, pressure);
-    if (film)
-      update_film(snapshot.system.positions.data());
+    time_of_film = snapshot.time_of_film;
+    if (!film)
+      return y;
+    if (!snapshot.film.fed.empty())
+      film->restore(snapshot.film);
+    update_film(snapshot.system.positions.data());
     return y;
   }
 } // namespace coapt

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 // The parts of CouplingPoints that give the points to ranks, and choose those
 // that carry the coupling.
@@ -21,7 +20,14 @@ namespace coapt
     // Re-distribution is rare (re-adaptation, or a point that has crossed the
     // whole ghost layer), so the simple way is good enough: every rank sees
     // all multipliers and picks those of the points that are now its own.
-    distribute_all(fluid, X, all_multipliers(multiplier), multiplier);
+    std::vector<double> all = all_multipliers(multiplier);
+    if (!stand_in.empty())
+      {
+        std::vector<Lanes> positions(mesh.points.size());
+        to_lanes(X, positions);
+        make_dense(fluid, positions, all);
+      }
+    distribute_all(fluid, X, all, multiplier);
   }
 
 
@@ -45,7 +51,7 @@ namespace coapt
   void
   CouplingPoints<dim>::distribute_all(const FluidOperator<dim> &fluid,
                                       const double *X,
-                                      std::vector<double> all,
+                                      const std::vector<double> &all,
                                       std::vector<double> &multiplier)
   {
     const int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
@@ -54,8 +60,6 @@ namespace coapt
     multiplier.clear();
     std::vector<Lanes> positions(mesh.points.size());
     to_lanes(X, positions);
-    if (!stand_in.empty())
-      make_dense(fluid, positions, all);
     for (unsigned int id = 0; id < points.size(); ++id)
       {
         if (!active[id])
@@ -146,7 +150,7 @@ namespace coapt
   template void
   CouplingPoints<2>::distribute_all(const FluidOperator<2> &,
                                     const double *,
-                                    std::vector<double>,
+                                    const std::vector<double> &,
                                     std::vector<double> &);
   template void
   CouplingPoints<3>::distribute(const FluidOperator<3> &,
@@ -157,6 +161,6 @@ namespace coapt
   template void
   CouplingPoints<3>::distribute_all(const FluidOperator<3> &,
                                     const double *,
-                                    std::vector<double>,
+                                    const std::vector<double> &,
                                     std::vector<double> &);
 } // namespace coapt

@@ -3,6 +3,7 @@
 #include <coapt/base/first_rank.h>
 #include <coapt/io/checkpoint_folder.h>
 
+#include <cmath>
 #include <filesystem>
 
 namespace coapt
@@ -16,23 +17,31 @@ namespace coapt
     const char *const previous = "/checkpoint-old";
     const char *const next     = "/checkpoint-new";
 
-    /** Lets the first rank do @p action with files. Collective; throws
-     * InputError if that fails. */
-    template <typename Action>
-    void
-    with_files(MPI_Comm communicator, const Action &action)
+    std::string
+    megabytes(const double bytes)
     {
-      on_first_rank(communicator, [&]() -> std::string {
+      return std::to_string(std::lround(1e-6 * bytes)) + " MB";
+    }
+
+    /** Lets the first rank do @p action with files, which says what is wrong,
+     * and warns of that. Returns whether all is well. Collective. */
+    template <typename Action>
+    bool
+    with_files(MPI_Comm communicator, Log &log, const Action &action)
+    {
+      std::string error;
+      if (is_first_rank(communicator))
         try
           {
-            action();
+            error = action();
           }
-        catch (const fs::filesystem_error &error)
+        catch (const fs::filesystem_error &exception)
           {
-            return std::string("checkpoint: ") + error.what();
+            error = exception.what();
           }
-        return "";
-      });
+      if (!error.empty())
+        log.warn("checkpoint", "No checkpoint is written: " + error);
+      return dealii::Utilities::MPI::broadcast(communicator, error.empty());
     }
   } // namespace
 
@@ -62,39 +71,37 @@ namespace coapt
   std::string
   CheckpointFolder::begin(const double size, Log &log)
   {
-    last          = Clock::now();
-    bool has_room = false;
-    with_files(communicator, [&]() {
+    last                = Clock::now();
+    const bool is_ready = with_files(communicator, log, [&]() -> std::string {
       fs::remove_all(path + next);
       const double room = fs::space(path).available;
-      has_room          = room > size;
-      if (has_room)
-        fs::create_directory(path + next);
-      else
-        log.warn("checkpoint",
-                 "No checkpoint is written: it needs " +
-                   std::to_string(static_cast<int>(1e-6 * size) + 1) +
-                   " MB, and the disk has only " +
-                   std::to_string(static_cast<int>(1e-6 * room)));
+      if (room < size)
+        return "it needs " + megabytes(size) + ", and the disk has only " +
+          megabytes(room);
+      fs::create_directory(path + next);
+      return "";
     });
-    has_room = dealii::Utilities::MPI::broadcast(communicator, has_room);
-    return has_room ? path + next : "";
+    return is_ready ? path + next : "";
   }
 
 
 
   void
-  CheckpointFolder::finish()
+  CheckpointFolder::finish(Log &log)
   {
     // All ranks have written their parts.
     MPI_Barrier(communicator);
-    with_files(communicator, [&]() {
-      fs::remove_all(path + previous);
+    with_files(communicator, log, [&]() -> std::string {
       if (fs::exists(path + present))
-        fs::rename(path + present, path + previous);
+        {
+          fs::remove_all(path + previous);
+          fs::rename(path + present, path + previous);
+        }
       fs::rename(path + next, path + present);
       fs::remove_all(path + previous);
+      return "";
     });
+    has_one = true;
   }
 
 
@@ -107,6 +114,14 @@ namespace coapt
       if (fs::is_directory(path + name, code))
         return path + name;
     return fs::is_directory(path + "/run_1", code) ? path : "";
+  }
+
+
+
+  void
+  remove_unfinished_checkpoint(const std::string &path)
+  {
+    fs::remove_all(path + next);
   }
 
 

@@ -126,6 +126,7 @@ namespace coapt
           fs::create_directories(path + "/fields");
           if (!continues())
             remove_earlier_results(path);
+          remove_unfinished_checkpoint(path);
         }
       catch (const fs::filesystem_error &error)
         {

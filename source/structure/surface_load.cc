@@ -20,8 +20,6 @@ namespace coapt
   {
     table.open(file, continues);
     table.stream().precision(6);
-    if (!continues)
-      table.stream() << "time_s,point,x_mm,y_mm,z_mm,tx_Pa,ty_Pa,tz_Pa\n";
   }
 
 
@@ -31,6 +29,8 @@ namespace coapt
                          const std::vector<Tensor<1, 3>> &traction)
   {
     std::ostream &stream = table.stream();
+    if (table.size() == 0)
+      stream << "time_s,point,x_mm,y_mm,z_mm,tx_Pa,ty_Pa,tz_Pa\n";
     for (unsigned int i = 0; i < points.size(); ++i)
       {
         stream << time << ',' << i;

@@ -37,7 +37,7 @@ file(COPY ${SOURCE}/pressure.csv DESTINATION ${FOLDER})
 run(2 1 "subsection Output" "set Resume = true" "end")
 require("No word of the missing checkpoint:\n${output}" output MATCHES "has no checkpoint to go on from")
 
-run(0 1 "subsection Time" "set End time = 5e-4" "end"
+run(0 1 "subsection Time" "set End time = 4.4e-4" "end"
   "subsection Output" "set Checkpoint interval = 1e-9" "set Resume = auto" "end")
 file(RENAME ${FOLDER}/results ${FOLDER}/interrupted)
 require("There is no checkpoint" EXISTS ${FOLDER}/interrupted/checkpoint/state)
@@ -71,11 +71,16 @@ run(2 2 "subsection Output" "set Resume = auto" "end"
 require("Other meshes are not refused as such:\n${output}"
   output MATCHES "nodes of the leaflets, but these parameters ask for")
 
-set(state ${FOLDER}/results/checkpoint-old/state)
-execute_process(COMMAND truncate -s 100000 ${state})
+set(checkpoint ${FOLDER}/results/checkpoint-old)
+execute_process(COMMAND truncate -s 100000 ${checkpoint}/octree_fixed.data)
+run(2 2 "subsection Output" "set Resume = true" "end")
+require("Half an octree is not refused as such:\n${output}"
+  output MATCHES "octree_fixed.data is missing or incomplete")
+file(COPY ${FOLDER}/interrupted/checkpoint-old DESTINATION ${FOLDER}/results)
+execute_process(COMMAND truncate -s 100000 ${checkpoint}/state)
 run(2 2 "subsection Output" "set Resume = true" "end")
 require("Half a file is not refused as such:\n${output}" output MATCHES "state is damaged")
-file(WRITE ${state} "nonsense")
+file(WRITE ${checkpoint}/state "nonsense")
 run(2 2 "subsection Output" "set Resume = true" "end")
 require("Nonsense is not refused as such:\n${output}" output MATCHES "state is no checkpoint")
 foreach(name statistics.csv parameters.prm summary.json)

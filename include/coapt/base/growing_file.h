@@ -44,10 +44,11 @@ namespace coapt
         cut(length);
     }
 
-  private:
+    /** Length on the disk (bytes); zero if it is not open. */
     std::uintmax_t
     size() const;
 
+  private:
     void
     cut(const std::uintmax_t length) const;
 

@@ -69,15 +69,23 @@ namespace coapt
       return all_warnings;
     }
 
-    /** Saves or restores the warnings. */
+    /** Saves the warnings, or puts those of an earlier run before the others.
+     */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &all_warnings;
+      std::vector<Warning> earlier = all_warnings;
+      archive &earlier;
+      if (Archive::is_loading::value)
+        put_before(earlier);
     }
 
   private:
+    /** Puts these warnings before those that there are and not among them. */
+    void
+    put_before(const std::vector<Warning> &earlier);
+
     const bool is_first_rank;
     std::ostream &terminal;
     std::ofstream file;

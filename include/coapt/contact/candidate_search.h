@@ -69,6 +69,13 @@ namespace coapt
     double
     displacement(const std::vector<dealii::Point<3>> &points) const;
 
+    /** Where the points were in the last find() (m). */
+    const std::vector<dealii::Point<3>> &
+    searched_points() const
+    {
+      return points_at_find;
+    }
+
   private:
     struct Buckets;
 

@@ -59,6 +59,30 @@ namespace coapt
       return search.neighbours(i);
     }
 
+    /** When and where was searched: the same on all ranks. */
+    struct Phase
+    {
+      unsigned int steps = 0;               // since all was measured
+      std::vector<dealii::Point<3>> points; // in the last search, m
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &steps &points;
+      }
+    };
+
+    Phase
+    phase() const
+    {
+      return {steps_since_check, search.searched_points()};
+    }
+
+    /** Goes on from the @p phase of an earlier run. */
+    void
+    restore(const Phase &phase);
+
   private:
     unsigned int
     find_within(const unsigned int i,

@@ -136,14 +136,15 @@ namespace coapt
     struct Snapshot
     {
       ColumnState columns;
-      double time = 0;                                         // accumulated, s
+      double time = 0; // accumulated, s
+      EncounterFinder::Phase search;
       std::vector<std::pair<unsigned int, Memories>> memories; // by column
 
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &columns &time &memories;
+        archive &columns &time &search &memories;
       }
     };
 
@@ -151,7 +152,7 @@ namespace coapt
     Snapshot
     snapshot() const;
 
-    /** Goes on from a snapshot that all ranks have; pairs are searched anew. */
+    /** Goes on from a snapshot that all ranks have. */
     void
     restore(const Snapshot &snapshot);
 

@@ -76,13 +76,33 @@ namespace coapt
       return volume;
     }
 
-    /** Saves or restores what the films remember; update() is due then. What
-     * has drained since the last one is lost. */
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
+    /** What the films remember. */
+    struct History
     {
-      archive &fed &volume;
+      std::vector<double> fed; // mean of p/p_v in the films of columns
+      double volume = 0;       // that has drained, m^3
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &fed &volume;
+      }
+    };
+
+    /** What has drained since the last update() is not in it. */
+    History
+    history() const
+    {
+      return {fed, volume};
+    }
+
+    /** Goes on from an earlier run's @p history; update() is due then. */
+    void
+    restore(const History &history)
+    {
+      fed    = history.fed;
+      volume = history.volume;
     }
 
   private:

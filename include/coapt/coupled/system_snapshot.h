@@ -15,6 +15,7 @@ namespace coapt
     std::vector<double> impulse_force, impulse_start; // N, m
     double impulse_work = 0, motion_work = 0;         // J
     double step_length = 0;                           // the last one (s)
+    bool points_left   = false;
 
     template <class Archive>
     void
@@ -22,6 +23,7 @@ namespace coapt
     {
       archive &positions &velocities &multiplier &active &impulse_force;
       archive &impulse_start &impulse_work &motion_work &step_length;
+      archive &points_left;
     }
   };
 } // namespace coapt

@@ -57,14 +57,12 @@ namespace coapt
     std::vector<double>
     restore(const ValveSnapshot &snapshot, const std::string &octree);
 
-    /** Saves or restores what flow and films have led to. */
+    /** Saves or restores what the flow has led to. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &flow_indicator &time_of_film &time_since_film;
-      if (film)
-        archive &*film;
+      archive &flow_indicator;
     }
 
     /** Whether the leaflet has used up the refined band around it. */

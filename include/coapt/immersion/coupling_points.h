@@ -205,7 +205,7 @@ namespace coapt
     void
     distribute_all(const FluidOperator<dim> &fluid,
                    const double *X,
-                   std::vector<double> all,
+                   const std::vector<double> &all,
                    std::vector<double> &multiplier);
 
     /** Number of points of all ranks that carry coupling now. */

@@ -30,19 +30,24 @@ namespace coapt
 
     /**
      * Begins a checkpoint of about @p size bytes; returns the path of the
-     * folder for its files, which exists. If the disk has no room for that, it
-     * warns instead, and returns an empty path. Collective.
-     *
-     * @throws InputError on all ranks if the folder cannot be made.
+     * folder for its files, which exists. If the disk has no room for that or
+     * the folder cannot be made, it warns and returns an empty path.
+     * Collective.
      */
     std::string
     begin(const double size, Log &log);
 
-    /** Puts the complete checkpoint in the place of the last one. Collective.
-     *
-     * @throws InputError on all ranks if that fails. */
+    /** Puts the complete checkpoint in the place of the last one; warns if that
+     * fails. Collective. */
     void
-    finish();
+    finish(Log &log);
+
+    /** Whether one has been written. */
+    bool
+    is_in_use() const
+    {
+      return has_one;
+    }
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -51,12 +56,18 @@ namespace coapt
     const double interval;
     const MPI_Comm communicator;
     Clock::time_point last = Clock::now();
+    bool has_one           = false;
   };
 
   /** Path of the complete checkpoint in the output folder @p path, or if that
    * is the folder of a study, this path; empty if there is none. */
   std::string
   last_checkpoint(const std::string &path);
+
+  /** Removes one that was being written when its run ended; throws
+   * std::filesystem::filesystem_error. */
+  void
+  remove_unfinished_checkpoint(const std::string &path);
 
   /** Removes all checkpoints from the output folder @p path; throws
    * std::filesystem::filesystem_error. */

@@ -119,9 +119,8 @@ namespace coapt
     serialize(Archive &archive, const unsigned int version)
     {
       Recorder::serialize(archive, version);
-      // At the end of the archive, for the first rank alone has it.
-      if (surface_load)
-        archive &*surface_load;
+      GrowingFile none; // on other ranks, and if it is not wanted
+      archive &(surface_load ? surface_load->file() : none);
     }
 
   protected:

@@ -108,12 +108,20 @@ namespace coapt
     std::string
     doubt_about_orifice(const double density) const;
 
-    /** Saves or restores what has been collected. */
+    /** Saves or restores what has been collected. If the end of the run has
+     * been changed, sums over the window at the end begin anew. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &samples &n_in_window &contact_pressure &total_traction;
+      double end_time = settings.end_time;
+      archive &end_time &samples &n_in_window &contact_pressure &total_traction;
+      if (end_time != settings.end_time)
+        {
+          n_in_window = 0;
+          contact_pressure.clear();
+          total_traction.clear();
+        }
     }
 
   private:

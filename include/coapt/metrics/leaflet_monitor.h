@@ -179,7 +179,7 @@ namespace coapt
     serialize(Archive &archive, const unsigned int)
     {
       archive &peaks &total_swept &surface_points &column_contact_pressure;
-      archive &column_traction &history;
+      archive &column_traction &history &cells;
     }
 
   protected:

@@ -23,6 +23,14 @@ namespace coapt
 
     /** Volume over that in the mesh. */
     std::vector<double> volume_ratio;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &von_mises &principal_stress &largest_strain &smallest_stretch;
+      archive &volume_ratio;
+    }
   };
 } // namespace coapt
 

@@ -7,6 +7,8 @@
 #include <mpi.h>
 
 #include <random>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace coapt

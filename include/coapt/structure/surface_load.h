@@ -31,12 +31,11 @@ namespace coapt
     void
     write(const double time, const std::vector<dealii::Tensor<1, 3>> &traction);
 
-    /** Saves or restores how far the file has come. */
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
+    /** The file, to save or restore how far it has come. */
+    GrowingFile &
+    file()
     {
-      archive &table;
+      return table;
     }
 
   private:
