@@ -47,16 +47,14 @@ namespace coapt
   void
   Simulation::serialize(Archive &archive, ValveRecorder &recorder)
   {
-    double time               = integrator.time();
     double wall               = earlier_wall + timing.wall_time();
     unsigned long steps       = integrator.n_steps();
     unsigned long evaluations = integrator.n_evaluations();
-    archive &time &wall &steps &evaluations &last_adaptation &step_control;
+    archive &wall &steps &evaluations &last_adaptation &step_control;
     archive &solid_frequency &model &monitor &log;
     if (Archive::is_loading::value)
       {
-        last_finite_time = time;
-        earlier_wall     = wall - timing.wall_time();
+        earlier_wall = wall - timing.wall_time();
         integrator.count_from(steps, evaluations);
       }
     archive &recorder;
@@ -72,8 +70,14 @@ namespace coapt
     std::istringstream in = read_on_all(folder.checkpoint(), communicator);
     boost::archive::binary_iarchive archive(in);
     ValveSnapshot snapshot;
+    double time          = 0;
     std::size_t n_planes = 0;
-    archive >> snapshot >> n_planes;
+    archive >> snapshot >> time >> n_planes;
+    if (time > parameters.run.end_time * (1 + 1e-9))
+      throw InputError(
+        "Time/End time is " + std::to_string(parameters.run.end_time) +
+        " s, but must not be before the checkpoint, which is of " +
+        std::to_string(time) + " s");
     model.check_snapshot(snapshot);
     if (n_planes != parameters.run.flow_planes.size())
       throw InputError("Output/Flow planes has " +
@@ -103,8 +107,9 @@ namespace coapt
       {
         std::ostringstream out;
         boost::archive::binary_oarchive archive(out);
+        const double time          = integrator.time();
         const std::size_t n_planes = parameters.run.flow_planes.size();
-        archive << snapshot << n_planes;
+        archive << snapshot << time << n_planes;
         serialize(archive, recorder);
         write_checkpoint_file(folder, out.str());
       }
@@ -120,7 +125,7 @@ namespace coapt
     boost::archive::binary_iarchive archive(in);
     ValveSnapshot snapshot;
     std::size_t n_planes = 0;
-    archive >> snapshot >> n_planes;
+    archive >> snapshot >> last_finite_time >> n_planes;
     serialize(archive, recorder);
     state = model.restore(snapshot, octree_in(folder));
     integrator.start(last_finite_time, state);

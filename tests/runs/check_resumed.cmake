@@ -71,6 +71,10 @@ run(2 2 "subsection Output" "set Resume = auto" "end"
 require("Other meshes are not refused as such:\n${output}"
   output MATCHES "nodes of the leaflets, but these parameters ask for")
 
+run(2 2 "subsection Output" "set Resume = true" "end" "subsection Time" "set End time = 4e-4" "end")
+require("An end before the checkpoint is not refused as such:\n${output}"
+  output MATCHES "must not be before the checkpoint")
+
 set(checkpoint ${FOLDER}/results/checkpoint-old)
 execute_process(COMMAND truncate -s 100000 ${checkpoint}/octree_fixed.data)
 run(2 2 "subsection Output" "set Resume = true" "end")

@@ -7,6 +7,7 @@
 #include <coapt/metrics/closure_volumes.h>
 #include <coapt/metrics/leaflet_monitor.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -119,8 +120,8 @@ namespace coapt
       if (end_time != settings.end_time)
         {
           n_in_window = 0;
-          contact_pressure.clear();
-          total_traction.clear();
+          std::fill(contact_pressure.begin(), contact_pressure.end(), 0.);
+          std::fill(total_traction.begin(), total_traction.end(), 0.);
         }
     }
 
