@@ -49,6 +49,17 @@ namespace coapt
 
 
   void
+  FlowTask::check_checkpoint(const OutputFolder &folder)
+  {
+    if (plane_study)
+      plane_study->check_checkpoint(folder);
+    else
+      space_study->check_checkpoint(folder);
+  }
+
+
+
+  void
   FlowTask::run(const OutputFolder &folder)
   {
     if (plane_study)

@@ -18,27 +18,6 @@ namespace coapt
     {
       return folder + "/octree";
     }
-
-    /** The content of the checkpoint's file, read by the first rank, on all.
-     * Throws InputError. */
-    std::istringstream
-    read_on_all(const std::string &folder, MPI_Comm communicator)
-    {
-      std::string content;
-      on_first_rank(communicator, [&]() -> std::string {
-        try
-          {
-            content = read_checkpoint_file(folder);
-          }
-        catch (const InputError &error)
-          {
-            return error.what();
-          }
-        return "";
-      });
-      return std::istringstream(
-        dealii::Utilities::MPI::broadcast(communicator, content));
-    }
   } // namespace
 
 
@@ -67,7 +46,8 @@ namespace coapt
   {
     if (!folder.continues())
       return;
-    std::istringstream in = read_on_all(folder.checkpoint(), communicator);
+    std::istringstream in(
+      read_checkpoint_file(folder.checkpoint(), communicator));
     boost::archive::binary_iarchive archive(in);
     ValveSnapshot snapshot;
     double time          = 0;
@@ -121,7 +101,7 @@ namespace coapt
   void
   Simulation::load(const std::string &folder, ValveRecorder &recorder)
   {
-    std::istringstream in = read_on_all(folder, communicator);
+    std::istringstream in(read_checkpoint_file(folder, communicator));
     boost::archive::binary_iarchive archive(in);
     ValveSnapshot snapshot;
     std::size_t n_planes = 0;

@@ -1,10 +1,7 @@
 #include <coapt/base/exceptions.h>
-#include <coapt/base/first_rank.h>
 #include <coapt/io/console.h>
 #include <coapt/valve_study.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace coapt
@@ -41,18 +38,6 @@ namespace coapt
           if (entry.first == name && entry.second != 0)
             return now / entry.second - 1;
       return std::numeric_limits<double>::quiet_NaN();
-    }
-
-    /** Whether two entries are the same, of which one has been written with
-     * nine digits; what is no number is the same as another such thing. */
-    bool
-    is_same_entry(const std::pair<std::string, double> &a,
-                  const std::pair<std::string, double> &b)
-    {
-      return a.first == b.first &&
-        (std::isnan(a.second)
-           ? std::isnan(b.second)
-           : std::abs(a.second - b.second) <= 1e-8 * std::abs(a.second));
     }
   } // namespace
 
@@ -105,30 +90,10 @@ namespace coapt
   void
   ValveStudy::check_checkpoint(const OutputFolder &folder) const
   {
-    if (!folder.continues())
-      return;
-    const std::string file = folder.file("study.csv");
-    on_first_rank(communicator, [&]() -> std::string {
-      try
-        {
-          const std::vector<Study::Row> rows = Study::read_table(file);
-          bool fits                          = rows.size() <= cases.size();
-          for (unsigned int i = 0; i < rows.size() && fits; ++i)
-            {
-              const Study::Row wanted = varied.columns(i);
-              fits                    = rows[i].size() >= wanted.size() &&
-                std::equal(wanted.begin(),
-                           wanted.end(),
-                           rows[i].begin(),
-                           is_same_entry);
-            }
-          return fits ? "" : file + " is the table of another study";
-        }
-      catch (const InputError &error)
-        {
-          return error.what();
-        }
-    });
+    std::vector<Study::Row> planned;
+    for (unsigned int i = 0; i < cases.size(); ++i)
+      planned.push_back(varied.columns(i));
+    Study::check_table(folder, planned, communicator);
   }
 
 

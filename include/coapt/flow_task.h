@@ -26,6 +26,9 @@ namespace coapt
     build(Log &log, MPI_Comm communicator) override;
 
     void
+    check_checkpoint(const OutputFolder &folder) override;
+
+    void
     run(const OutputFolder &folder) override;
 
   private:

@@ -120,16 +120,17 @@ namespace coapt
       "was interrupted can go on (min). A checkpoint is "
       "written at the first row of statistics that is due after "
       "it has passed, and replaces the last one; 0 writes none. "
-      "Only a valve in blood has checkpoints.");
+      "A valve without blood has no checkpoints.");
     prm.declare_entry("Resume",
                       "false",
                       Patterns::Selection("false|true|auto"),
-                      "Whether to go on from the checkpoint in the folder, on "
-                      "any number of processes: false begins anew, true needs "
-                      "a checkpoint, auto goes on if there is one. Meshes must "
-                      "be the same; other parameters may have changed. Tables "
-                      "and fields go on, too. A study goes on with the first "
-                      "run that is not in its table.");
+                      "Whether to go on from the checkpoint in the folder: "
+                      "false begins anew, true needs a checkpoint, auto goes "
+                      "on if there is one. Meshes must be the same; other "
+                      "parameters may have changed, and the number of "
+                      "processes for a valve. Tables and fields go on, too. A "
+                      "study goes on with the first run that is not in its "
+                      "table.");
     prm.leave_subsection();
   }
 

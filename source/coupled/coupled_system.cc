@@ -152,7 +152,7 @@ namespace coapt
   {
     const auto scope = timing.scope(sections.coupling);
     std::fill(solid_force.begin(), solid_force.end(), 0.);
-    points.add_forces(coefficients,
+    points.add_forces(stage == 0 ? first_coefficients : coefficients,
                       fluid_velocity.data(),
                       V.data(),
                       multiplier,
@@ -253,7 +253,8 @@ namespace coapt
   CoupledSystem<dim>::finish_step(const double t, double *y)
   {
     // ERKStep evaluates the first stage of the next step right after this.
-    stage = 0;
+    stage              = 0;
+    first_coefficients = coefficients;
     if (motion)
       move_held_nodes(t, y);
 
@@ -333,6 +334,8 @@ namespace coapt
   CoupledSystem<dim>::begin_step(const double dt,
                                  const RelaxationCoefficients &coefficients)
   {
+    if (step_length == 0)
+      first_coefficients = coefficients;
     step_length        = dt;
     tau                = 0;
     this->coefficients = coefficients;

@@ -266,6 +266,7 @@ namespace coapt
                                      const FlowContents contents)
   {
     RunParameters::declare_parameters(prm);
+    RunParameters::declare_checkpoints(prm);
     prm.enter_subsection("Time");
     prm.declare_entry("Step safety",
                       "0.8",
@@ -290,6 +291,7 @@ namespace coapt
   FlowParameters::parse_parameters(ParameterHandler &prm)
   {
     run.parse_parameters(prm);
+    run.parse_checkpoints(prm);
     fluid.parse_parameters(prm);
     prm.enter_subsection("Time");
     step_safety = prm.get_double("Step safety");

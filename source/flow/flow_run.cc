@@ -100,41 +100,25 @@ namespace coapt
   FlowResult
   FlowRun<dim>::run(const OutputFolder &folder)
   {
-    Statistics statistics(folder.file("statistics.csv"), model.communicator);
-    FlowFields<dim> fields(model, folder.file("fields"));
+    Files files{{folder.file("statistics.csv"),
+                 model.communicator,
+                 folder.continues()},
+                {model, folder.file("fields")}};
+    CheckpointFolder checkpoints(folder.file(""),
+                                 parameters.run.checkpoint_interval,
+                                 model.communicator);
     const RunParameters &to = parameters.run;
-    double next_fields      = 0;
-    const auto record       = [&]() {
-      const double t = integrator.time();
-      times.push_back(t);
-      rows.push_back(sample());
-      if (bodies)
-        add_bodies(rows.back());
-      else
-        add_energy(rows.back());
-      Row row = rows.back();
-      row.insert(row.begin(), {"time_s", t});
-      statistics.write_row(row);
-      const bool is_last = to.is_over(t, integrator.n_steps());
-      if (is_last || parameters.largest_errors)
-        errors.take_larger(flow_errors(model, t, state.data()));
-      if (to.fields_interval > 0 && (t >= next_fields * (1 - 1e-9) || is_last))
-        {
-          fields.write(t, state.data());
-          if (bodies)
-            bodies->write_fields(folder.file("fields"), t, state.data());
-          next_fields += to.fields_interval;
-        }
-    };
-
-    if (bodies)
-      bodies->begin_step(step_control.step(to.end_time));
-    n_cells = model.fluid().n_active_cells();
-    integrator.start(0., state);
-    record();
-    const auto is_over = [&]() {
-      return to.is_over(integrator.time(), integrator.n_steps());
-    };
+    n_cells                 = model.fluid().n_active_cells();
+    if (folder.continues())
+      load(folder.checkpoint(), files);
+    else
+      {
+        if (bodies)
+          bodies->begin_step(
+            step_control.step(std::min(to.end_time, to.output_interval)));
+        integrator.start(0., state);
+        record(folder, files);
+      }
     while (!is_over())
       {
         const double until =
@@ -142,12 +126,53 @@ namespace coapt
         while (integrator.time() < until * (1 - 1e-12) && !is_over())
           advance(until - integrator.time());
         check_finite();
-        record();
+        record(folder, files);
         report_progress(model.fluid().largest_velocity(state.data()).speed);
+        if (checkpoints.is_due())
+          save(checkpoints, files);
       }
     write_profiles(folder);
     log_energy();
     return result();
+  }
+
+
+
+  template <int dim>
+  bool
+  FlowRun<dim>::is_over() const
+  {
+    return parameters.run.is_over(integrator.time(), integrator.n_steps());
+  }
+
+
+
+  template <int dim>
+  void
+  FlowRun<dim>::record(const OutputFolder &folder, Files &files)
+  {
+    const double t = integrator.time();
+    times.push_back(t);
+    rows.push_back(sample());
+    if (bodies)
+      add_bodies(rows.back());
+    else
+      add_energy(rows.back());
+    Row row = rows.back();
+    row.insert(row.begin(), {"time_s", t});
+    files.statistics.write_row(row);
+    if (parameters.largest_errors)
+      errors.take_larger(flow_errors(model, t, state.data()));
+    else if (is_over())
+      errors = flow_errors(model, t, state.data());
+    const double interval = parameters.run.fields_interval;
+    if (interval > 0 && (t >= files.next_fields * (1 - 1e-9) || is_over()))
+      {
+        files.fields.write(t, state.data());
+        if (bodies)
+          bodies->write_fields(folder.file("fields"), t, state.data());
+        files.next_fields += interval;
+      }
   }
 
 
@@ -433,9 +458,9 @@ namespace coapt
   double
   FlowRun<dim>::wall_time() const
   {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                         start)
-      .count();
+    return earlier_wall +
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+        .count();
   }
 
   template class FlowRun<2>;

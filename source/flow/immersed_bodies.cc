@@ -421,6 +421,22 @@ namespace coapt
 
 
   template <int dim>
+  std::vector<double>
+  ImmersedBodies<dim>::restore(const SystemSnapshot &snapshot,
+                               const std::vector<double> &fluid)
+  {
+    const auto pressure = fluid.begin() + dim * model.fluid().n_owned_nodes();
+    const std::vector<double> y = system.restore(snapshot,
+                                                 {fluid.begin(), pressure},
+                                                 {pressure, fluid.end()});
+    if (enclosed)
+      enclosed->update(snapshot.positions.data());
+    return y;
+  }
+
+
+
+  template <int dim>
   void
   ImmersedBodies<dim>::take_audit(const double t, const double *y)
   {

@@ -15,6 +15,22 @@ namespace coapt
                        {"velocity_max", &FlowErrors::velocity_max},
                        {"pressure_l2", &FlowErrors::pressure_l2},
                        {"pressure_means_l2", &FlowErrors::pressure_means_l2}};
+
+    /** What a row of the table tells of its run. */
+    FlowResult
+    result_of(const Study::Row &row)
+    {
+      FlowResult result;
+      for (const auto &entry : row)
+        {
+          if (entry.first == "h_m")
+            result.cell_size = entry.second;
+          for (const auto &column : error_columns)
+            if (entry.first == column.first)
+              result.errors.*column.second = entry.second;
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -60,6 +76,18 @@ namespace coapt
 
   template <int dim>
   void
+  RefinementStudy<dim>::check_checkpoint(const OutputFolder &folder) const
+  {
+    std::vector<Study::Row> planned;
+    for (const Case &one : cases)
+      planned.push_back(one.columns);
+    Study::check_table(folder, planned, communicator);
+  }
+
+
+
+  template <int dim>
+  void
   RefinementStudy<dim>::run(const OutputFolder &folder)
   {
     Summary header;
@@ -70,7 +98,9 @@ namespace coapt
         cases.size(),
         [this](const unsigned int i,
                const OutputFolder &own,
-               const std::vector<Study::Row> &) {
+               const std::vector<Study::Row> &before) {
+          for (std::size_t k = all_results.size(); k < i; ++k)
+            all_results.push_back(result_of(before[k]));
           FlowRun<dim> flow(cases[i].parameters,
                             cases[i].level,
                             cases[i].label,

@@ -1,4 +1,7 @@
+#include <deal.II/base/mpi.h>
+
 #include <coapt/base/exceptions.h>
+#include <coapt/base/first_rank.h>
 #include <coapt/io/checkpoint_file.h>
 
 #include <boost/crc.hpp>
@@ -30,6 +33,42 @@ namespace coapt
       crc.process_bytes(content.data(), content.size());
       return crc.checksum();
     }
+
+    /** The content, once it has been found to be complete. */
+    std::string
+    content_of(const std::string &folder)
+    {
+      const std::string file = state_in(folder);
+      std::ifstream in(file, std::ios::binary);
+      std::string line;
+      if (!in || !std::getline(in, line))
+        throw InputError(file + ": cannot be read");
+      if (line != title)
+        throw InputError(file + " is no checkpoint, or one of another version");
+      while (std::getline(in, line))
+        {
+          std::istringstream entry(line);
+          std::string name;
+          std::size_t size       = 0;
+          std::uint32_t expected = 0;
+          entry >> name >> size;
+          if (name != "state")
+            {
+              std::error_code code;
+              if (fs::file_size(folder + "/" + name, code) != size)
+                throw InputError(folder + "/" + name +
+                                 " is missing or incomplete");
+              continue;
+            }
+          entry >> expected;
+          std::ostringstream rest;
+          rest << in.rdbuf();
+          if (rest.str().size() == size && checksum(rest.str()) == expected)
+            return rest.str();
+          break;
+        }
+      throw InputError(file + " is damaged");
+    }
   } // namespace
 
 
@@ -53,37 +92,20 @@ namespace coapt
 
 
   std::string
-  read_checkpoint_file(const std::string &folder)
+  read_checkpoint_file(const std::string &folder, MPI_Comm communicator)
   {
-    const std::string file = state_in(folder);
-    std::ifstream in(file, std::ios::binary);
-    std::string line;
-    if (!in || !std::getline(in, line))
-      throw InputError(file + ": cannot be read");
-    if (line != title)
-      throw InputError(file + " is no checkpoint, or one of another version");
-    while (std::getline(in, line))
-      {
-        std::istringstream entry(line);
-        std::string name;
-        std::size_t size       = 0;
-        std::uint32_t expected = 0;
-        entry >> name >> size;
-        if (name != "state")
-          {
-            std::error_code code;
-            if (fs::file_size(folder + "/" + name, code) != size)
-              throw InputError(folder + "/" + name +
-                               " is missing or incomplete");
-            continue;
-          }
-        entry >> expected;
-        std::ostringstream rest;
-        rest << in.rdbuf();
-        if (rest.str().size() == size && checksum(rest.str()) == expected)
-          return rest.str();
-        break;
-      }
-    throw InputError(file + " is damaged");
+    std::string content;
+    on_first_rank(communicator, [&]() -> std::string {
+      try
+        {
+          content = content_of(folder);
+        }
+      catch (const InputError &error)
+        {
+          return error.what();
+        }
+      return "";
+    });
+    return dealii::Utilities::MPI::broadcast(communicator, content);
   }
 } // namespace coapt

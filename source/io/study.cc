@@ -1,7 +1,9 @@
 #include <deal.II/base/mpi.h>
 
 #include <coapt/base/csv_table.h>
+#include <coapt/base/exceptions.h>
 #include <coapt/base/first_rank.h>
+#include <coapt/base/serialization.h>
 #include <coapt/base/version.h>
 #include <coapt/io/study.h>
 
@@ -42,6 +44,39 @@ namespace coapt
       const std::size_t width = 2 + std::max<std::size_t>(9, name.size());
       return std::string(width - std::min(width, text.size()), ' ') + text;
     }
+
+    /** The rows of a table in @p file; none if there is no such file. Throws
+     * InputError. */
+    std::vector<Study::Row>
+    rows_in(const std::string &file)
+    {
+      if (!std::filesystem::exists(file))
+        return {};
+      const CsvTable table(file);
+      std::vector<Study::Row> result(table.n_rows());
+      for (const std::string &name : table.column_names())
+        {
+          const std::vector<std::string> column = table.texts(name);
+          for (unsigned int i = 0; i < result.size(); ++i)
+            result[i].emplace_back(name,
+                                   column[i].empty()
+                                     ? std::numeric_limits<double>::quiet_NaN()
+                                     : std::strtod(column[i].c_str(), nullptr));
+        }
+      return result;
+    }
+
+    /** Whether two entries are the same, of which one has been written with
+     * nine digits; what is no number is the same as another such thing. */
+    bool
+    is_same_entry(const std::pair<std::string, double> &a,
+                  const std::pair<std::string, double> &b)
+    {
+      return a.first == b.first &&
+        (std::isnan(a.second)
+           ? std::isnan(b.second)
+           : std::abs(a.second - b.second) <= 1e-8 * std::abs(a.second));
+    }
   } // namespace
 
 
@@ -60,9 +95,8 @@ namespace coapt
              const OutputFolder &folder)
   {
     rows.clear();
-    if (folder.continues() && is_first_rank(communicator))
-      rows = read_table(folder.file("study.csv"));
-    rows.resize(dealii::Utilities::MPI::broadcast(communicator, rows.size()));
+    if (folder.continues())
+      rows = read_table(folder, communicator);
     if (!rows.empty())
       log.line("runs 1 to " + std::to_string(rows.size()) +
                " are there already");
@@ -88,22 +122,43 @@ namespace coapt
 
 
   std::vector<Study::Row>
-  Study::read_table(const std::string &file)
+  Study::read_table(const OutputFolder &folder, MPI_Comm communicator)
   {
-    if (!std::filesystem::exists(file))
-      return {};
-    const CsvTable table(file);
-    std::vector<Row> result(table.n_rows());
-    for (const std::string &name : table.column_names())
-      {
-        const std::vector<std::string> column = table.texts(name);
-        for (unsigned int i = 0; i < result.size(); ++i)
-          result[i].emplace_back(name,
-                                 column[i].empty()
-                                   ? std::numeric_limits<double>::quiet_NaN()
-                                   : std::strtod(column[i].c_str(), nullptr));
-      }
-    return result;
+    std::vector<Row> result;
+    on_first_rank(communicator, [&]() -> std::string {
+      try
+        {
+          result = rows_in(folder.file("study.csv"));
+        }
+      catch (const InputError &error)
+        {
+          return error.what();
+        }
+      return "";
+    });
+    return dealii::Utilities::MPI::broadcast(communicator, result);
+  }
+
+
+
+  void
+  Study::check_table(const OutputFolder &folder,
+                     const std::vector<Row> &planned,
+                     MPI_Comm communicator)
+  {
+    if (!folder.continues())
+      return;
+    const std::vector<Row> found = read_table(folder, communicator);
+    bool fits                    = found.size() <= planned.size();
+    for (unsigned int i = 0; i < found.size() && fits; ++i)
+      fits = found[i].size() >= planned[i].size() &&
+        std::equal(planned[i].begin(),
+                   planned[i].end(),
+                   found[i].begin(),
+                   is_same_entry);
+    if (!fits)
+      throw InputError(folder.file("study.csv") +
+                       " is the table of another study");
   }
 
 

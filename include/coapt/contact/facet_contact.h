@@ -90,6 +90,14 @@ namespace coapt
     const std::vector<double> &
     pressure() const;
 
+    /** Saves or restores what friction remembers, the same on all ranks. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &histories;
+    }
+
   private:
     using Vector = dealii::Tensor<1, dim>;
 

@@ -155,7 +155,8 @@ namespace coapt
     /** Sets the length of the step that follows (s) and with it the
      * coefficients of the relaxed multiplier. ERKStep evaluates the first
      * stage of a step at the end of the one before, so that stage still has
-     * the coefficients of that step; steps change slowly. */
+     * the coefficients of that step, also where the integration starts anew;
+     * steps change slowly. */
     void
     begin_step(const double dt);
 
@@ -324,6 +325,7 @@ namespace coapt
     HeldMotion motion;
     double motion_work = 0;
     RelaxationCoefficients coefficients;
+    RelaxationCoefficients first_coefficients; // of the first stage
     double tau         = 0;
     double step_length = 0;
     unsigned int stage = 0;

@@ -47,11 +47,26 @@ namespace coapt
     double
     relative_error(const Energies &stored) const;
 
+    /** Saves or restores the books. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &started &last_time &initial &scale &last &works;
+    }
+
   private:
     struct Powers
     {
       FluidPowers fluid;
       double driven_sides = 0;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &fluid &driven_sides;
+      }
     };
 
     Powers

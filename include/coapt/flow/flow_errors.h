@@ -27,6 +27,13 @@ namespace coapt
     /** L2 norm of the error of the cells' mean pressures. */
     double pressure_means_l2 = unknown;
 
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &velocity_l2 &velocity_max &pressure_l2 &pressure_means_l2;
+    }
+
     /** Replaces each error by the one of @p other if that is larger. */
     void
     take_larger(const FlowErrors &other);

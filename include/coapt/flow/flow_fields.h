@@ -24,6 +24,14 @@ namespace coapt
     void
     write(const double time, const double *y);
 
+    /** Saves or restores which files there are. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &entries;
+    }
+
   private:
     const FlowModel<dim> &model;
     const std::string folder;

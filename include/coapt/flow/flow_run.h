@@ -9,6 +9,7 @@
 #include <coapt/flow/flow_sampler.h>
 #include <coapt/flow/immersed_bodies.h>
 #include <coapt/flow/obstacle_force.h>
+#include <coapt/io/checkpoint_folder.h>
 #include <coapt/io/output_folder.h>
 #include <coapt/io/statistics.h>
 #include <coapt/time/explicit_integrator.h>
@@ -59,6 +60,47 @@ namespace coapt
 
   private:
     using Row = std::vector<Statistics::Entry>;
+
+    /** Where the flow is recorded over time. */
+    struct Files
+    {
+      Statistics statistics;
+      FlowFields<dim> fields;
+      double next_fields = 0;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &statistics &fields &next_fields;
+      }
+    };
+
+    /** Takes a sample and writes what is due. */
+    void
+    record(const OutputFolder &folder, Files &files);
+
+    /** Whether the run is at its end. */
+    bool
+    is_over() const;
+
+    /** Writes a checkpoint. */
+    void
+    save(CheckpointFolder &checkpoints, Files &files);
+
+    /** Goes on from the checkpoint in @p folder; throws InputError if it is of
+     * another flow. */
+    void
+    load(const std::string &folder, Files &files);
+
+    /** Saves or restores what is the same on all ranks. */
+    template <class Archive>
+    void
+    exchange(Archive &archive, Files &files);
+
+    /** What a checkpoint must have in common with this run. */
+    std::vector<std::size_t>
+    sizes() const;
 
     /** A step, at most as long as @p time_left (s). */
     void
@@ -131,6 +173,7 @@ namespace coapt
     std::vector<Row> rows;
     FlowErrors errors;
     std::chrono::steady_clock::time_point start, last_line;
+    double earlier_wall = 0; // s, of the runs that this one continues
   };
 } // namespace coapt
 

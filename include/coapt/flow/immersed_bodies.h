@@ -90,6 +90,40 @@ namespace coapt
     void
     write_fields(const std::string &folder, const double t, const double *y);
 
+    /** What the bodies need to go on from the state @p y, without the fluid and
+     * without serialize(); right after sample(). Collective. */
+    SystemSnapshot
+    snapshot(const double *y) const
+    {
+      return system.snapshot(y);
+    }
+
+    /** The state with this @p snapshot and with the state @p fluid of
+     * FlowModel. Collective. */
+    std::vector<double>
+    restore(const SystemSnapshot &snapshot, const std::vector<double> &fluid);
+
+    /** Saves or restores what is the same on all ranks. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &solid_frequency &audit &steps_since_audit &step_length;
+      archive &last_sample &outflow &last_volume &contact_impulse;
+      archive &mean_force &last_momentum &field_files;
+      if (contact)
+        archive &*contact;
+    }
+
+    /** Numbers of nodes, of coupling points and of surfaces in contact. */
+    std::vector<std::size_t>
+    sizes() const
+    {
+      return {body.mesh.points.size(),
+              points.active_points().size(),
+              contact.has_value()};
+    }
+
   private:
     /** Cells [begin, end) of one body. */
     using CellRange = std::pair<unsigned int, unsigned int>;

@@ -29,12 +29,18 @@ namespace coapt
                     Log &log,
                     MPI_Comm communicator);
 
+    /** Finds out whether the table in @p folder is one of this study, where it
+     * is to go on; throws InputError. Writes nothing. Collective. */
+    void
+    check_checkpoint(const OutputFolder &folder) const;
+
     /** Runs all, each into a folder of its own below @p folder, in which
      * study.csv and summary.json are kept up to date. Collective. */
     void
     run(const OutputFolder &folder);
 
-    /** What the runs gave. */
+    /** What the runs gave; of those that were there already, sizes and errors.
+     */
     const std::vector<FlowResult> &
     results() const
     {

@@ -1,6 +1,8 @@
 #ifndef coapt_io_checkpoint_file_h
 #define coapt_io_checkpoint_file_h
 
+#include <mpi.h>
+
 #include <string>
 
 namespace coapt
@@ -15,10 +17,11 @@ namespace coapt
   void
   write_checkpoint_file(const std::string &folder, const std::string &content);
 
-  /** Reads that content. @throws InputError if there is no such file, or it is
-   * damaged, or other files of the folder are missing or have other sizes. */
+  /** Reads that content on the first rank, for all. Collective. @throws
+   * InputError if there is no such file, or it is damaged, or other files of
+   * the folder are missing or have other sizes. */
   std::string
-  read_checkpoint_file(const std::string &folder);
+  read_checkpoint_file(const std::string &folder, MPI_Comm communicator);
 } // namespace coapt
 
 #endif

@@ -25,8 +25,8 @@ namespace coapt
     using Row = std::vector<std::pair<std::string, double>>;
 
     /** Does the run of this number (from 0) into the folder, given the rows of
-     * those before, which the first rank knows. Collective; only the row of the
-     * first rank matters. */
+     * those before. Collective; only the row of the first rank matters, and the
+     * others need not know the figures. */
     using Run = std::function<
       Row(const unsigned int, const OutputFolder &, const std::vector<Row> &)>;
 
@@ -39,10 +39,18 @@ namespace coapt
         const Summary &header,
         const OutputFolder &folder);
 
-    /** The rows of a table in @p file; none if there is no such file. Throws
-     * InputError. */
+    /** The rows of the table in @p folder, on all ranks; none if there is none.
+     * Throws InputError. Collective. */
     static std::vector<Row>
-    read_table(const std::string &file);
+    read_table(const OutputFolder &folder, MPI_Comm communicator);
+
+    /** Finds out whether the table in @p folder, if the study is to go on
+     * there, is of one whose runs begin their rows with what is @p planned;
+     * throws InputError. Collective. */
+    static void
+    check_table(const OutputFolder &folder,
+                const std::vector<Row> &planned,
+                MPI_Comm communicator);
 
   private:
     void
