@@ -70,6 +70,7 @@ namespace coapt
 
     CheckpointFolder checkpoints(folder.file(""),
                                  parameters.run.checkpoint_interval,
+                                 folder.continues(),
                                  communicator);
     if (folder.continues())
       load(folder.checkpoint(), recorder);
@@ -78,7 +79,8 @@ namespace coapt
         begin();
         record();
         // so that a run can always go on that is started again and again
-        if (parameters.run.resume == Resume::if_possible)
+        if (parameters.run.resume == Resume::if_possible &&
+            parameters.run.checkpoint_interval > 0)
           save(checkpoints, recorder);
       }
     while (!is_over())
@@ -88,7 +90,7 @@ namespace coapt
                 recorder);
         check_finite(recorder);
         record();
-        if (checkpoints.is_due() || (checkpoints.is_in_use() && is_over()))
+        if (checkpoints.is_due() || (checkpoints.is_due_at_end() && is_over()))
           save(checkpoints, recorder);
       }
     recorder.finish(integrator.time(), state.data());

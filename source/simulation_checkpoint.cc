@@ -13,6 +13,8 @@ namespace coapt
 {
   namespace
   {
+    const std::string kind = "valve";
+
     std::string
     octree_in(const std::string &folder)
     {
@@ -47,17 +49,13 @@ namespace coapt
     if (!folder.continues())
       return;
     std::istringstream in(
-      read_checkpoint_file(folder.checkpoint(), communicator));
+      read_checkpoint_file(folder.checkpoint(), kind, communicator));
     boost::archive::binary_iarchive archive(in);
     ValveSnapshot snapshot;
     double time          = 0;
     std::size_t n_planes = 0;
     archive >> snapshot >> time >> n_planes;
-    if (time > parameters.run.end_time * (1 + 1e-9))
-      throw InputError(
-        "Time/End time is " + std::to_string(parameters.run.end_time) +
-        " s, but must not be before the checkpoint, which is of " +
-        std::to_string(time) + " s");
+    parameters.run.check_end_time(time);
     model.check_snapshot(snapshot);
     if (n_planes != parameters.run.flow_planes.size())
       throw InputError("Output/Flow planes has " +
@@ -91,7 +89,7 @@ namespace coapt
         const std::size_t n_planes = parameters.run.flow_planes.size();
         archive << snapshot << time << n_planes;
         serialize(archive, recorder);
-        write_checkpoint_file(folder, out.str());
+        write_checkpoint_file(folder, kind, out.str());
       }
     checkpoints.finish(log);
   }
@@ -101,7 +99,7 @@ namespace coapt
   void
   Simulation::load(const std::string &folder, ValveRecorder &recorder)
   {
-    std::istringstream in(read_checkpoint_file(folder, communicator));
+    std::istringstream in(read_checkpoint_file(folder, kind, communicator));
     boost::archive::binary_iarchive archive(in);
     ValveSnapshot snapshot;
     std::size_t n_planes = 0;

@@ -75,7 +75,7 @@ namespace coapt
     header.set("task", "valve");
     Study(log, communicator)
       .run(
-        cases.size(),
+        plan(),
         [this](const unsigned int i,
                const OutputFolder &own,
                const std::vector<Study::Row> &before) {
@@ -90,10 +90,18 @@ namespace coapt
   void
   ValveStudy::check_checkpoint(const OutputFolder &folder) const
   {
-    std::vector<Study::Row> planned;
+    Study::check_plan(folder, plan(), communicator);
+  }
+
+
+
+  std::vector<std::string>
+  ValveStudy::plan() const
+  {
+    std::vector<std::string> result;
     for (unsigned int i = 0; i < cases.size(); ++i)
-      planned.push_back(varied.columns(i));
-    Study::check_table(folder, planned, communicator);
+      result.push_back(varied.label(i) + ", " + cases[i].run.until());
+    return result;
   }
 
 

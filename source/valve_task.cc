@@ -93,14 +93,7 @@ namespace coapt
   {
     const std::string folder = parameters.run.output_folder + "/geometry";
     on_first_rank(valve.communicator, [&]() -> std::string {
-      try
-        {
-          write_valve_preview(folder, valve.leaflet, valve.chordae->chordae());
-        }
-      catch (const InputError &error)
-        {
-          return error.what();
-        }
+      write_valve_preview(folder, valve.leaflet, valve.chordae->chordae());
       return "";
     });
     log.line("The valve is in " + folder);

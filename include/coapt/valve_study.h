@@ -38,6 +38,10 @@ namespace coapt
     run(const OutputFolder &folder);
 
   private:
+    /** What the runs are, in words. */
+    std::vector<std::string>
+    plan() const;
+
     /** Runs one; returns its columns of the table, of which those @p before are
      * known. */
     Study::Row

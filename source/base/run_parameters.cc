@@ -20,6 +20,26 @@ namespace coapt
 
 
 
+  std::string
+  RunParameters::until() const
+  {
+    return "to " + Patterns::Tools::to_string(end_time) + " s";
+  }
+
+
+
+  void
+  RunParameters::check_end_time(const double time) const
+  {
+    if (time > end_time * (1 + 1e-9))
+      throw InputError(
+        "Time/End time is " + Patterns::Tools::to_string(end_time) +
+        " s, but must not be before the checkpoint, which is of " +
+        Patterns::Tools::to_string(time) + " s");
+  }
+
+
+
   void
   RunParameters::declare_parameters(ParameterHandler &prm)
   {
@@ -128,9 +148,10 @@ namespace coapt
                       "false begins anew, true needs a checkpoint, auto goes "
                       "on if there is one. Meshes must be the same; other "
                       "parameters may have changed, and the number of "
-                      "processes for a valve. Tables and fields go on, too. A "
-                      "study goes on with the first run that is not in its "
-                      "table.");
+                      "processes for a valve; not the values at the sides of a "
+                      "flow. Tables and fields go on, too. A study goes on "
+                      "with the first run that is not in its table, from its "
+                      "checkpoint if it has one; its runs must be the same.");
     prm.leave_subsection();
   }
 

@@ -13,6 +13,8 @@ namespace coapt
 {
   namespace
   {
+    const std::string kind = "flow";
+
     std::string
     fluid_in(const std::string &folder, MPI_Comm communicator)
     {
@@ -51,7 +53,9 @@ namespace coapt
       dealii::Utilities::MPI::n_mpi_processes(model.communicator),
       n_cells,
       dealii::Utilities::MPI::sum(model.fluid().n_owned_nodes(),
-                                  model.communicator)};
+                                  model.communicator),
+      pressure_points.size(),
+      parameters.records_dissipation};
     if (bodies)
       for (const std::size_t size : bodies->sizes())
         result.push_back(size);
@@ -106,7 +110,7 @@ namespace coapt
         const double time = integrator.time();
         archive << own << time << snapshot;
         exchange(archive, files);
-        write_checkpoint_file(folder, out.str());
+        write_checkpoint_file(folder, kind, out.str());
       }
     checkpoints.finish(log);
   }
@@ -117,7 +121,8 @@ namespace coapt
   void
   FlowRun<dim>::load(const std::string &folder, Files &files)
   {
-    std::istringstream in(read_checkpoint_file(folder, model.communicator));
+    std::istringstream in(
+      read_checkpoint_file(folder, kind, model.communicator));
     boost::archive::binary_iarchive archive(in);
     std::vector<std::size_t> found;
     double time = 0;
@@ -127,7 +132,10 @@ namespace coapt
       throw InputError("the checkpoint in " + folder +
                        " is of another flow, or not of " +
                        std::to_string(sizes()[0]) + " process(es)");
+    parameters.run.check_end_time(time);
     exchange(archive, files);
+    if (!bodies)
+      update_step_limits(); // whose parameters may have changed
     std::vector<double> fluid(dim * model.fluid().n_owned_nodes() +
                               model.fluid().n_owned_cells());
     read(fluid_in(folder, model.communicator), fluid);

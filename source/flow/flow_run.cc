@@ -106,6 +106,7 @@ namespace coapt
                 {model, folder.file("fields")}};
     CheckpointFolder checkpoints(folder.file(""),
                                  parameters.run.checkpoint_interval,
+                                 folder.continues(),
                                  model.communicator);
     const RunParameters &to = parameters.run;
     n_cells                 = model.fluid().n_active_cells();

@@ -78,10 +78,19 @@ namespace coapt
   void
   RefinementStudy<dim>::check_checkpoint(const OutputFolder &folder) const
   {
-    std::vector<Study::Row> planned;
+    Study::check_plan(folder, plan(), communicator);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  RefinementStudy<dim>::plan() const
+  {
+    std::vector<std::string> result;
     for (const Case &one : cases)
-      planned.push_back(one.columns);
-    Study::check_table(folder, planned, communicator);
+      result.push_back(one.label + ", " + one.parameters.run.until());
+    return result;
   }
 
 
@@ -95,7 +104,7 @@ namespace coapt
     header.set("dimension", static_cast<unsigned int>(dim));
     Study(log, communicator)
       .run(
-        cases.size(),
+        plan(),
         [this](const unsigned int i,
                const OutputFolder &own,
                const std::vector<Study::Row> &before) {

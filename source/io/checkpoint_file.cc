@@ -17,8 +17,13 @@ namespace coapt
   {
     namespace fs = std::filesystem;
 
-    // The number grows with the format of what is in the file.
-    const std::string title = "coapt checkpoint 1";
+    /** What a file begins with; the number grows with the format of what is in
+     * it. */
+    std::string
+    title(const std::string &kind)
+    {
+      return "coapt " + kind + " 2";
+    }
 
     std::string
     state_in(const std::string &folder)
@@ -36,15 +41,16 @@ namespace coapt
 
     /** The content, once it has been found to be complete. */
     std::string
-    content_of(const std::string &folder)
+    content_of(const std::string &folder, const std::string &kind)
     {
       const std::string file = state_in(folder);
       std::ifstream in(file, std::ios::binary);
       std::string line;
       if (!in || !std::getline(in, line))
         throw InputError(file + ": cannot be read");
-      if (line != title)
-        throw InputError(file + " is no checkpoint, or one of another version");
+      if (line != title(kind))
+        throw InputError(file + " is no checkpoint of a " + kind +
+                         ", or one of another version");
       while (std::getline(in, line))
         {
           std::istringstream entry(line);
@@ -74,11 +80,13 @@ namespace coapt
 
 
   void
-  write_checkpoint_file(const std::string &folder, const std::string &content)
+  write_checkpoint_file(const std::string &folder,
+                        const std::string &kind,
+                        const std::string &content)
   {
     const std::string file = state_in(folder);
     std::ofstream out(file, std::ios::binary);
-    out << title << '\n';
+    out << title(kind) << '\n';
     for (const auto &entry : fs::directory_iterator(folder))
       if (entry.path() != fs::path(file))
         out << entry.path().filename().string() << ' ' << entry.file_size()
@@ -92,18 +100,13 @@ namespace coapt
 
 
   std::string
-  read_checkpoint_file(const std::string &folder, MPI_Comm communicator)
+  read_checkpoint_file(const std::string &folder,
+                       const std::string &kind,
+                       MPI_Comm communicator)
   {
     std::string content;
     on_first_rank(communicator, [&]() -> std::string {
-      try
-        {
-          content = content_of(folder);
-        }
-      catch (const InputError &error)
-        {
-          return error.what();
-        }
+      content = content_of(folder, kind);
       return "";
     });
     return dealii::Utilities::MPI::broadcast(communicator, content);

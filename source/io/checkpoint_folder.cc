@@ -49,8 +49,12 @@ namespace coapt
 
   CheckpointFolder::CheckpointFolder(const std::string &path,
                                      const double interval,
+                                     const bool has_one,
                                      MPI_Comm communicator)
-    : path(path), interval(interval), communicator(communicator)
+    : path(path)
+    , interval(interval)
+    , communicator(communicator)
+    , has_one(has_one)
   {
   }
 
@@ -91,7 +95,7 @@ namespace coapt
   {
     // All ranks have written their parts.
     MPI_Barrier(communicator);
-    with_files(communicator, log, [&]() -> std::string {
+    const bool is_there = with_files(communicator, log, [&]() -> std::string {
       if (fs::exists(path + present))
         {
           fs::remove_all(path + previous);
@@ -101,7 +105,7 @@ namespace coapt
       fs::remove_all(path + previous);
       return "";
     });
-    has_one = true;
+    has_one             = has_one || is_there;
   }
 
 

@@ -54,7 +54,7 @@ namespace coapt
       static const std::regex others(
         "(chordae|contact_map|coaptation|sections|pressure_distribution|"
         "surface_load|quasi_static|dynamic|profile_.*|fit_.*)\\.csv|"
-        "contact_map\\.vtu|material_.*\\.prm|report\\.html");
+        "contact_map\\.vtu|plan\\.txt|material_.*\\.prm|report\\.html");
       return std::find(result_files.begin(), result_files.end(), name) !=
         result_files.end() ||
         std::regex_match(name, others);

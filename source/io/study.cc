@@ -66,16 +66,31 @@ namespace coapt
       return result;
     }
 
-    /** Whether two entries are the same, of which one has been written with
-     * nine digits; what is no number is the same as another such thing. */
-    bool
-    is_same_entry(const std::pair<std::string, double> &a,
-                  const std::pair<std::string, double> &b)
+    const char *const table     = "study.csv";
+    const char *const plan_file = "plan.txt";
+
+    /** The lines of a file; none if it cannot be read. */
+    std::vector<std::string>
+    lines_of(const std::string &file)
     {
-      return a.first == b.first &&
-        (std::isnan(a.second)
-           ? std::isnan(b.second)
-           : std::abs(a.second - b.second) <= 1e-8 * std::abs(a.second));
+      std::vector<std::string> result;
+      std::ifstream in(file);
+      for (std::string line; std::getline(in, line);)
+        result.push_back(line);
+      return result;
+    }
+
+    /** Writes a file in one go: what was there before stays until it is
+     * complete. Throws std::runtime_error. */
+    void
+    write_lines(const std::string &file, const std::vector<std::string> &lines)
+    {
+      std::ofstream out(file + ".new");
+      for (const std::string &line : lines)
+        out << line << '\n';
+      if (!out.flush())
+        throw std::runtime_error(file + ": writing failed; is the disk full?");
+      std::filesystem::rename(file + ".new", file);
     }
   } // namespace
 
@@ -89,18 +104,31 @@ namespace coapt
 
 
   void
-  Study::run(const unsigned int n_runs,
+  Study::run(const std::vector<std::string> &plan,
              const Run &run,
              const Summary &header,
              const OutputFolder &folder)
   {
     rows.clear();
     if (folder.continues())
-      rows = read_table(folder, communicator);
+      rows = dealii::Utilities::MPI::broadcast(communicator,
+                                               is_first_rank(communicator)
+                                                 ? rows_in(folder.file(table))
+                                                 : std::vector<Row>());
     if (!rows.empty())
       log.line("runs 1 to " + std::to_string(rows.size()) +
                " are there already");
-    for (unsigned int i = rows.size(); i < n_runs; ++i)
+    if (is_first_rank(communicator))
+      write_lines(folder.file(plan_file), plan);
+    const auto write_results = [&]() {
+      if (is_first_rank(communicator) && !rows.empty())
+        {
+          write_table(folder.file(table));
+          write_summary(header, plan.size(), folder.file("summary.json"));
+        }
+    };
+    write_results();
+    for (unsigned int i = rows.size(); i < plan.size(); ++i)
       {
         const OutputFolder own(folder.file("run_" + std::to_string(i + 1)),
                                true,
@@ -109,11 +137,7 @@ namespace coapt
                                                   : Resume::never);
         own.create();
         rows.push_back(run(i, own, rows));
-        if (is_first_rank(communicator))
-          {
-            write_table(folder.file("study.csv"));
-            write_summary(header, n_runs, folder.file("summary.json"));
-          }
+        write_results();
       }
     if (is_first_rank(communicator))
       print_table();
@@ -121,44 +145,25 @@ namespace coapt
 
 
 
-  std::vector<Study::Row>
-  Study::read_table(const OutputFolder &folder, MPI_Comm communicator)
-  {
-    std::vector<Row> result;
-    on_first_rank(communicator, [&]() -> std::string {
-      try
-        {
-          result = rows_in(folder.file("study.csv"));
-        }
-      catch (const InputError &error)
-        {
-          return error.what();
-        }
-      return "";
-    });
-    return dealii::Utilities::MPI::broadcast(communicator, result);
-  }
-
-
-
   void
-  Study::check_table(const OutputFolder &folder,
-                     const std::vector<Row> &planned,
-                     MPI_Comm communicator)
+  Study::check_plan(const OutputFolder &folder,
+                    const std::vector<std::string> &plan,
+                    MPI_Comm communicator)
   {
     if (!folder.continues())
       return;
-    const std::vector<Row> found = read_table(folder, communicator);
-    bool fits                    = found.size() <= planned.size();
-    for (unsigned int i = 0; i < found.size() && fits; ++i)
-      fits = found[i].size() >= planned[i].size() &&
-        std::equal(planned[i].begin(),
-                   planned[i].end(),
-                   found[i].begin(),
-                   is_same_entry);
-    if (!fits)
-      throw InputError(folder.file("study.csv") +
-                       " is the table of another study");
+    on_first_rank(communicator, [&]() -> std::string {
+      const std::string file              = folder.file(plan_file);
+      const std::vector<std::string> then = lines_of(file);
+      // those in the table, and the one that was interrupted
+      const std::size_t n = rows_in(folder.file(table)).size() + 1;
+      for (std::size_t i = 0; i < n && i < then.size(); ++i)
+        if (i >= plan.size() || plan[i] != then[i])
+          return file + ": run " + std::to_string(i + 1) + " was \"" + then[i] +
+            "\", but is " + (i < plan.size() ? "\"" + plan[i] + "\"" : "none") +
+            " now: a study goes on with the same runs";
+      return "";
+    });
   }
 
 
@@ -166,7 +171,7 @@ namespace coapt
   void
   Study::write_table(const std::string &file) const
   {
-    std::ofstream stream(file);
+    std::vector<std::string> lines;
     for (unsigned int i = 0; i < rows.size(); ++i)
       {
         std::string header, line;
@@ -176,12 +181,10 @@ namespace coapt
             line += (line.empty() ? "" : ",") + text_of(entry.second, 9);
           }
         if (i == 0)
-          stream << header << '\n';
-        stream << line << '\n';
+          lines.push_back(header);
+        lines.push_back(line);
       }
-    stream.flush();
-    if (!stream)
-      throw std::runtime_error(file + ": writing failed; is the disk full?");
+    write_lines(file, lines);
   }
 
 
@@ -217,7 +220,7 @@ namespace coapt
         {
           const std::string &name = rows.back()[k].first;
           header += right_aligned(name, name);
-          for (unsigned int i = 0; i < rows.size(); ++i)
+          for (unsigned int i = 0; i < rows.size() && k < rows[i].size(); ++i)
             lines[i] += right_aligned(cell_text(rows[i][k].second), name);
         }
     log.line(header);

@@ -63,6 +63,13 @@ foreach(ranks 1 2)
   endforeach()
 endforeach()
 
+# A run that has come to its end stays there.
+file(SHA1 ${FOLDER}/results/statistics.csv expected)
+run(0 2 "subsection Output" "set Resume = true" "end")
+file(SHA1 ${FOLDER}/results/statistics.csv found)
+require("A run at its end has gone on:\n${output}" found STREQUAL "${expected}"
+  AND output MATCHES "goes on from")
+
 foreach(name statistics.csv parameters.prm summary.json)
   file(SHA1 ${FOLDER}/results/${name} hash_${name})
 endforeach()
@@ -75,12 +82,14 @@ run(2 2 "subsection Output" "set Resume = true" "end" "subsection Time" "set End
 require("An end before the checkpoint is not refused as such:\n${output}"
   output MATCHES "must not be before the checkpoint")
 
-set(checkpoint ${FOLDER}/results/checkpoint-old)
+set(checkpoint ${FOLDER}/results/checkpoint)
 execute_process(COMMAND truncate -s 100000 ${checkpoint}/octree_fixed.data)
 run(2 2 "subsection Output" "set Resume = true" "end")
 require("Half an octree is not refused as such:\n${output}"
   output MATCHES "octree_fixed.data is missing or incomplete")
+file(REMOVE_RECURSE ${checkpoint})
 file(COPY ${FOLDER}/interrupted/checkpoint-old DESTINATION ${FOLDER}/results)
+file(RENAME ${checkpoint}-old ${checkpoint})
 execute_process(COMMAND truncate -s 100000 ${checkpoint}/state)
 run(2 2 "subsection Output" "set Resume = true" "end")
 require("Half a file is not refused as such:\n${output}" output MATCHES "state is damaged")

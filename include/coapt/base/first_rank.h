@@ -20,7 +20,7 @@ namespace coapt
 
   /**
    * Lets the first rank do @p action, which returns what went wrong as a text,
-   * empty if nothing did. Collective.
+   * empty if nothing did, or throws an InputError. Collective.
    *
    * @throws InputError of this text on all ranks.
    */
@@ -28,8 +28,17 @@ namespace coapt
   void
   on_first_rank(const MPI_Comm communicator, const Action &action)
   {
-    std::string error = is_first_rank(communicator) ? action() : std::string();
-    int size          = error.size();
+    std::string error;
+    try
+      {
+        if (is_first_rank(communicator))
+          error = action();
+      }
+    catch (const InputError &what)
+      {
+        error = what.what();
+      }
+    int size = error.size();
     MPI_Bcast(&size, 1, MPI_INT, 0, communicator);
     error.resize(size);
     MPI_Bcast(&error[0], size, MPI_CHAR, 0, communicator);

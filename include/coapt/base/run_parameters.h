@@ -64,6 +64,15 @@ namespace coapt
     static void
     declare_parameters(dealii::ParameterHandler &prm);
 
+    /** "to T s": the end of the run in words. */
+    std::string
+    until() const;
+
+    /** Throws InputError if a run cannot go on from @p time (s), for it is past
+     * its end. */
+    void
+    check_end_time(const double time) const;
+
     /** Declares those of checkpoints, for what can go on from them. */
     static void
     declare_checkpoints(dealii::ParameterHandler &prm);

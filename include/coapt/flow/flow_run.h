@@ -98,7 +98,8 @@ namespace coapt
     void
     exchange(Archive &archive, Files &files);
 
-    /** What a checkpoint must have in common with this run. */
+    /** What a checkpoint must have in common with this run: sizes, and what
+     * there are columns of. */
     std::vector<std::size_t>
     sizes() const;
 

@@ -115,13 +115,15 @@ namespace coapt
         archive &*contact;
     }
 
-    /** Numbers of nodes, of coupling points and of surfaces in contact. */
+    /** Numbers of nodes, of coupling points, of surfaces in contact and of
+     * points with a displacement. */
     std::vector<std::size_t>
     sizes() const
     {
       return {body.mesh.points.size(),
               points.active_points().size(),
-              contact.has_value()};
+              contact.has_value(),
+              displacement_points.size()};
     }
 
   private:

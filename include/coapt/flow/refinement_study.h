@@ -61,6 +61,10 @@ namespace coapt
       FlowParameters parameters;
     };
 
+    /** What the runs are, in words. */
+    std::vector<std::string>
+    plan() const;
+
     /** Columns of study.csv of a run. */
     Study::Row
     row(const unsigned int i) const;

@@ -18,10 +18,11 @@ namespace coapt
   class CheckpointFolder
   {
   public:
-    /** In the output folder @p path, one each @p interval (s of wall time),
-     * none if that is zero. */
+    /** In the output folder @p path, which @p has_one already or not, one each
+     * @p interval (s of wall time), none if that is zero. */
     CheckpointFolder(const std::string &path,
                      const double interval,
+                     const bool has_one,
                      MPI_Comm communicator);
 
     /** Whether it is time for the next one. Collective. */
@@ -42,11 +43,12 @@ namespace coapt
     void
     finish(Log &log);
 
-    /** Whether one has been written. */
+    /** Whether one is to be written at the end of the run, so that it is not
+     * done again: if there is an earlier one. */
     bool
-    is_in_use() const
+    is_due_at_end() const
     {
-      return has_one;
+      return interval > 0 && has_one;
     }
 
   private:
@@ -56,7 +58,7 @@ namespace coapt
     const double interval;
     const MPI_Comm communicator;
     Clock::time_point last = Clock::now();
-    bool has_one           = false;
+    bool has_one;
   };
 
   /** Path of the complete checkpoint in the output folder @p path, or if that

@@ -32,25 +32,20 @@ namespace coapt
 
     Study(Log &log, MPI_Comm communicator);
 
-    /** Does @p n_runs runs. The summary begins with @p header. Collective. */
+    /** Does the runs of the @p plan, which says of each in words what it is.
+     * The summary begins with @p header. Collective. */
     void
-    run(const unsigned int n_runs,
+    run(const std::vector<std::string> &plan,
         const Run &run,
         const Summary &header,
         const OutputFolder &folder);
 
-    /** The rows of the table in @p folder, on all ranks; none if there is none.
-     * Throws InputError. Collective. */
-    static std::vector<Row>
-    read_table(const OutputFolder &folder, MPI_Comm communicator);
-
-    /** Finds out whether the table in @p folder, if the study is to go on
-     * there, is of one whose runs begin their rows with what is @p planned;
-     * throws InputError. Collective. */
+    /** Finds out whether the study in @p folder, if it is to go on there, had
+     * this @p plan so far as it has come; throws InputError. Collective. */
     static void
-    check_table(const OutputFolder &folder,
-                const std::vector<Row> &planned,
-                MPI_Comm communicator);
+    check_plan(const OutputFolder &folder,
+               const std::vector<std::string> &plan,
+               MPI_Comm communicator);
 
   private:
     void
