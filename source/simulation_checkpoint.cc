@@ -28,16 +28,11 @@ namespace coapt
   void
   Simulation::serialize(Archive &archive, ValveRecorder &recorder)
   {
-    double wall               = earlier_wall + timing.wall_time();
-    unsigned long steps       = integrator.n_steps();
-    unsigned long evaluations = integrator.n_evaluations();
-    archive &wall &steps &evaluations &last_adaptation &step_control;
+    double wall = earlier_wall + timing.wall_time();
+    archive &wall &integrator &last_adaptation &step_control;
     archive &solid_frequency &model &monitor &log;
     if (Archive::is_loading::value)
-      {
-        earlier_wall = wall - timing.wall_time();
-        integrator.count_from(steps, evaluations);
-      }
+      earlier_wall = wall - timing.wall_time();
     archive &recorder;
   }
 

@@ -69,18 +69,13 @@ namespace coapt
   void
   FlowRun<dim>::exchange(Archive &archive, Files &files)
   {
-    double wall               = wall_time();
-    unsigned long steps       = integrator.n_steps();
-    unsigned long evaluations = integrator.n_evaluations();
-    archive &wall &steps &evaluations &step_control &audit &times &rows;
+    double wall = wall_time();
+    archive &wall &integrator &step_control &audit &times &rows;
     archive &errors &files;
     if (bodies)
       archive &*bodies;
     if (Archive::is_loading::value)
-      {
-        earlier_wall += wall - wall_time();
-        integrator.count_from(steps, evaluations);
-      }
+      earlier_wall += wall - wall_time();
   }
 
 

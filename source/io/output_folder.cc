@@ -124,9 +124,10 @@ namespace coapt
       try
         {
           fs::create_directories(path + "/fields");
-          if (!continues())
+          if (continues())
+            remove_unfinished_checkpoint(path);
+          else
             remove_earlier_results(path);
-          remove_unfinished_checkpoint(path);
         }
       catch (const fs::filesystem_error &error)
         {

@@ -1,7 +1,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <coapt/base/csv_table.h>
-#include <coapt/base/exceptions.h>
 #include <coapt/base/first_rank.h>
 #include <coapt/base/serialization.h>
 #include <coapt/base/version.h>

@@ -10,10 +10,9 @@
 namespace coapt
 {
   /**
-   * Writes the octree and, cell by cell, the velocities (m/s) and pressures
-   * (Pa) of the nodes and cells that this rank owns to files whose names begin
-   * with
-   * @p name. Any number of ranks can read them. Collective.
+   * Writes the octree to files whose names begin with @p name, and with it,
+   * cell by cell, the velocities (m/s) and pressures (Pa) of the nodes and
+   * cells that this rank owns. Any number of ranks can read them. Collective.
    */
   template <int dim>
   void

@@ -59,12 +59,13 @@ namespace coapt
       return current_time;
     }
 
-    /** Counts on from what an earlier run has done; start() sets the time. */
+    /** Saves or restores the numbers of steps and evaluations; start() sets the
+     * time. */
+    template <class Archive>
     void
-    count_from(const unsigned long steps, const unsigned long evaluations)
+    serialize(Archive &archive, const unsigned int)
     {
-      this->steps       = steps;
-      this->evaluations = evaluations;
+      archive &steps &evaluations;
     }
 
     /** Number of steps so far. */
