@@ -138,7 +138,9 @@ namespace coapt
     const std::vector<double> &total   = monitor.total_traction();
     contact_pressure.resize(contact.size(), 0.);
     total_traction.resize(total.size(), 0.);
-    if (sample.time < settings.end_time - window)
+    // Tractions are means since the sample before.
+    const double begin = std::max(settings.end_time - window, 0.);
+    if (sample.time <= (1 + 1e-12) * begin)
       return;
     for (unsigned int c = 0; c < contact.size(); ++c)
       {
