@@ -37,6 +37,18 @@ namespace coapt
       return text_of(value, value == std::round(value) ? 9 : 4);
     }
 
+    /** Not-a-number if the row has no such column. */
+    double
+    value_in(const Study::Row &row, const std::string &name)
+    {
+      const auto entry =
+        std::find_if(row.begin(), row.end(), [&](const auto &candidate) {
+          return candidate.first == name;
+        });
+      return entry != row.end() ? entry->second
+                                : std::numeric_limits<double>::quiet_NaN();
+    }
+
     std::string
     right_aligned(const std::string &text, const std::string &name)
     {
@@ -167,21 +179,31 @@ namespace coapt
 
 
 
+  std::vector<std::string>
+  Study::columns() const
+  {
+    std::vector<std::string> result;
+    for (const Row &row : rows)
+      for (const auto &entry : row)
+        if (std::find(result.begin(), result.end(), entry.first) ==
+            result.end())
+          result.push_back(entry.first);
+    return result;
+  }
+
+
+
   void
   Study::write_table(const std::string &file) const
   {
-    std::vector<std::string> lines;
-    for (unsigned int i = 0; i < rows.size(); ++i)
+    std::vector<std::string> lines(1 + rows.size());
+    std::string separator;
+    for (const std::string &name : columns())
       {
-        std::string header, line;
-        for (const auto &entry : rows[i])
-          {
-            header += (header.empty() ? "" : ",") + entry.first;
-            line += (line.empty() ? "" : ",") + text_of(entry.second, 9);
-          }
-        if (i == 0)
-          lines.push_back(header);
-        lines.push_back(line);
+        lines[0] += separator + name;
+        for (unsigned int i = 0; i < rows.size(); ++i)
+          lines[1 + i] += separator + text_of(value_in(rows[i], name), 9);
+        separator = ",";
       }
     write_lines(file, lines);
   }
@@ -214,13 +236,12 @@ namespace coapt
   {
     std::string header;
     std::vector<std::string> lines(rows.size());
-    for (unsigned int k = 0; k < rows.back().size(); ++k)
-      if (!std::isnan(rows.back()[k].second))
+    for (const auto &[name, last] : rows.back())
+      if (!std::isnan(last))
         {
-          const std::string &name = rows.back()[k].first;
           header += right_aligned(name, name);
-          for (unsigned int i = 0; i < rows.size() && k < rows[i].size(); ++i)
-            lines[i] += right_aligned(cell_text(rows[i][k].second), name);
+          for (unsigned int i = 0; i < rows.size(); ++i)
+            lines[i] += right_aligned(cell_text(value_in(rows[i], name)), name);
         }
     log.line(header);
     for (const std::string &line : lines)

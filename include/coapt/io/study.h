@@ -48,6 +48,10 @@ namespace coapt
                MPI_Comm communicator);
 
   private:
+    /** Names of the columns of all rows, in the order in which they come. */
+    std::vector<std::string>
+    columns() const;
+
     void
     write_table(const std::string &file) const;
 
