@@ -27,18 +27,17 @@ namespace coapt
       return std::min(1., std::max(0., (x - a) / (b - a)));
     }
 
-    /** Volumes of a film over which its pressure is averaged. Trapped fluid is
-     * gone after one, and has then raised the mean to a seventh. */
-    const double memory = 6;
-
-    /** Which part of a film drains, of the mean of p/p_v in it. It must be one
-     * at a seventh, and in a film that the ventricle feeds nothing may be left:
-     * half of the leak would be that. */
+    /** Which part of a film may still hold trapped fluid, given how many
+     * volumes have drained of it. Trapped fluid is gone after one. */
     double
-    openness(const double fed)
+    part_trapped(const double turnover)
     {
-      return falling_step(fed, 0.15, 0.35);
+      return 1 - ramp(turnover, 1.5, 3);
     }
+
+    /** Least ventricular pressure (Pa) that films are compared with: below it,
+     * in a valve that opens again, they drain whoever feeds them. */
+    const double least_ventricular_pressure = 1e3;
 
     Point<3>
     node_at(const double *X, const unsigned int node)
@@ -87,7 +86,7 @@ namespace coapt
     , triangles(triangulate(leaflet.quads))
     , column_of_node(leaflet.mesh.points.size())
     , stations(leaflet.columns.size())
-    , fed(leaflet.columns.size(), 0.)
+    , turnover(leaflet.columns.size(), 0.)
   {
     for (unsigned int c = 0; c < leaflet.columns.size(); ++c)
       for (const unsigned int node : leaflet.columns[c])
@@ -120,7 +119,8 @@ namespace coapt
                       const double duration,
                       const double ventricular_pressure)
   {
-    book(duration, ventricular_pressure);
+    book(duration);
+    comparison = std::max(ventricular_pressure, least_ventricular_pressure);
     find_stations(X, contact);
 
     const std::vector<Point<3>> positions = points.positions(X);
@@ -141,19 +141,18 @@ namespace coapt
 
 
 
-  // Pressures are integrated as the mean over the evaluations.
+  // Integrals over time are means over the evaluations.
   void
-  SubGridFilm::book(const double duration, const double ventricular_pressure)
+  SubGridFilm::book(const double duration)
   {
     if (evaluations == 0)
       return;
-    for (Cell &cell : cells)
-      cell.integral *= duration / evaluations;
-    evaluations = 0;
+    const double scale = parameters.drainage * duration / evaluations;
+    evaluations        = 0;
 
-    // of each column: volume of its coupling points, and with pressures; last,
-    // what has drained
-    std::vector<double> sums(2 * fed.size() + 1, 0.);
+    // of each column: volume of its coupling points, and of what would have
+    // drained there; last, what has drained
+    std::vector<double> sums(2 * turnover.size() + 1, 0.);
     for (const Source &source : sources)
       {
         const SamplePoint<3> &point = points.samples()[source.point];
@@ -163,33 +162,17 @@ namespace coapt
             const unsigned int c = column_of_node[nodes[a]];
             const double share   = point.barycentric[a] * point.volume;
             sums[2 * c] += share;
-            sums[2 * c + 1] += share * cells[source.entry].integral;
+            sums[2 * c + 1] += share * scale * cells[source.entry].pressures;
           }
       }
     for (const Cell &cell : cells)
-      sums.back() +=
-        parameters.drainage * cell.draining * cell.volume * cell.integral;
+      sums.back() += scale * cell.volume * cell.drained;
     dealii::Utilities::MPI::sum(sums, communicator, sums);
 
     volume += sums.back();
-    if (ventricular_pressure > 0 && duration > 0)
-      for (unsigned int c = 0; c < fed.size(); ++c)
-        if (sums[2 * c] > 0)
-          feed(c,
-               std::max(0., sums[2 * c + 1] / sums[2 * c]),
-               duration * ventricular_pressure);
-  }
-
-
-
-  void
-  SubGridFilm::feed(const unsigned int column,
-                    const double integral,
-                    const double ventricular_integral)
-  {
-    const double ratio   = std::min(1., integral / ventricular_integral);
-    const double volumes = parameters.drainage * integral;
-    fed[column] += (1 - std::exp(-volumes / memory)) * (ratio - fed[column]);
+    for (unsigned int c = 0; c < turnover.size(); ++c)
+      if (sums[2 * c] > 0)
+        turnover[c] += std::max(0., sums[2 * c + 1] / sums[2 * c]);
   }
 
 
@@ -207,7 +190,7 @@ namespace coapt
         if (contact.gap[c] >= largest ||
             contact.partner[c] == MidSurfaceContact::no_partner)
           {
-            fed[c] = 0;
+            turnover[c] = 0;
             continue;
           }
         const auto &nodes = leaflet.columns[c];
@@ -225,7 +208,7 @@ namespace coapt
           ramp(edge_distance_with_partner(c, contact.partner[c]),
                0.,
                0.5 * cell_size);
-        station.fed = fed[c];
+        station.turnover = turnover[c];
       }
   }
 
@@ -257,7 +240,7 @@ namespace coapt
         const Station &station = stations[c];
         result.weight += share * station.weight;
         result.drainage += share * station.drainage;
-        result.fed += share * station.fed;
+        result.turnover += share * station.turnover;
         result.normal += share * station.weight * station.normal;
         if (station.weight > 0)
           {
@@ -317,13 +300,26 @@ namespace coapt
         const double part = station.drainage * half * point.volume *
           (1 + station.gap / leaflet.thickness);
         cells[entry].in_film += part / cells[entry].volume;
-        cells[entry].fed += station.fed * part / cells[entry].volume;
+        cells[entry].turnover += station.turnover * part / cells[entry].volume;
       }
-    // A cell that reaches into a film with a corner only draws from the
-    // ventricle.
     for (Cell &cell : cells)
-      cell.draining =
-        openness(cell.fed / cell.in_film) * ramp(cell.in_film, 0.25, 0.75);
+      {
+        cell.trapped = part_trapped(cell.turnover / cell.in_film);
+        // A cell that reaches into a film with a corner only draws from the
+        // ventricle.
+        cell.draining = ramp(cell.in_film, 0.25, 0.75);
+      }
+  }
+
+
+
+  // Near the pressure of the ventricle is what it feeds, even if most of the
+  // film around has drained.
+  double
+  SubGridFilm::open_part(const Cell &cell, const double pressure) const
+  {
+    return cell.draining *
+      std::max(cell.trapped, falling_step(pressure / comparison, 0.2, 0.5));
   }
 
 
@@ -335,9 +331,11 @@ namespace coapt
     const double rate = parameters.drainage * bulk_modulus;
     for (Cell &cell : cells)
       {
-        const double p = pressure[cell.number];
-        cell.integral += p;
-        pressure_rate[cell.number] -= cell.draining * rate * p;
+        const double p        = pressure[cell.number];
+        const double draining = open_part(cell, p) * p;
+        cell.pressures += p;
+        cell.drained += draining;
+        pressure_rate[cell.number] -= rate * draining;
       }
   }
 
@@ -348,8 +346,10 @@ namespace coapt
   {
     double sum = 0;
     for (const Cell &cell : cells)
-      sum += cell.draining * cell.volume * parameters.drainage *
-        pressure[cell.number] * pressure[cell.number];
+      {
+        const double p = pressure[cell.number];
+        sum += parameters.drainage * cell.volume * open_part(cell, p) * p * p;
+      }
     return sum;
   }
 } // namespace coapt

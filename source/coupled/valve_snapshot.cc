@@ -76,7 +76,7 @@ namespace coapt
     time_of_film = snapshot.time_of_film;
     if (!film)
       return y;
-    if (!snapshot.film.fed.empty())
+    if (!snapshot.film.turnover.empty())
       film->restore(snapshot.film);
     update_film(snapshot.system.positions.data());
     return y;

@@ -22,7 +22,7 @@ namespace coapt
     std::string
     title(const std::string &kind)
     {
-      return "coapt " + kind + " 3";
+      return "coapt " + kind + " 4";
     }
 
     std::string

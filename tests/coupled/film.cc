@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 #include "../contact/sheets.h"
@@ -17,7 +18,7 @@ using dealii::Tensor;
 
 namespace
 {
-  const double h = 1e-3, density = 1060, sound_speed = 50;
+  const double h = 1e-3, density = 1060, sound_speed = 50, ventricular = 1e4;
 
   /** Cuts the layers of all quadrilaterals into tetrahedra along diagonals. */
   void
@@ -116,16 +117,29 @@ namespace
         }
       std::vector<double> V(sheets.X.size(), 0.);
       contact->apply_impulse(sheets.X.data(), V.data(), 1e-9);
-      film->update(sheets.X.data(), contact->state(), duration, 1e4);
+      film->update(sheets.X.data(), contact->state(), duration, ventricular);
       multiplier.clear();
       points->distribute(*fluid, sheets.X.data(), multiplier);
     }
 
-    /** Rate at which fluid drains from cells at the @p pressure (m^3/s). */
+    /** Rate at which fluid drains from cells at the pressure @p p (m^3/s). */
     double
     drainage(const double p)
     {
-      std::fill(pressure.begin(), pressure.end(), p);
+      return drainage([=](const Point<3> &) { return p; });
+    }
+
+    /** The same, given the pressure at the middle of each cell. */
+    double
+    drainage(const std::function<double(const Point<3> &)> &p)
+    {
+      for (unsigned int c = 0; c < pressure.size(); ++c)
+        {
+          Point<3> middle = fluid->cell(c).lower;
+          for (unsigned int d = 0; d < 3; ++d)
+            middle[d] += 0.5 * fluid->cell(c).size;
+          pressure[c] = p(middle);
+        }
       std::vector<double> rate(pressure.size(), 0.);
       film->add_rate(pressure.data(), rate.data());
       double sum = 0;
@@ -239,7 +253,7 @@ namespace
   void
   fed_films()
   {
-    const double gap = 0.5 * h, ventricular = 1e4, duration = 1e-3;
+    const double gap = 0.5 * h, duration = 1e-3;
     for (const double p : {ventricular, 0.1 * ventricular})
       {
         const bool fed = p == ventricular;
@@ -263,6 +277,14 @@ namespace
             check("it has drained one to three volumes",
                   drained > 1 && drained < 3,
                   drained);
+            check_relative("what stays at a low pressure drains all the same",
+                           film.drainage(0.1 * p),
+                           0.1 * first,
+                           1e-9);
+            check_relative("and fluid comes back when the pressure reverses",
+                           film.drainage(-p),
+                           -first,
+                           1e-9);
             film.set_gap(2 * h, duration);
             film.set_gap(gap, 0.);
             check_relative("it drains anew when it has been open",
@@ -277,6 +299,35 @@ namespace
                          1e-9);
       }
   }
+
+  /** Of columns that span cells at the ventricular pressure and others that
+   * have drained, those cells stop to drain, and the others do not. */
+  void
+  fed_cells()
+  {
+    const double gap = 0.5 * h, duration = 1e-3, low = 0.02 * ventricular;
+    const auto fed  = [](const Point<3> &x) { return x[2] < 0; };
+    const auto flow = [&](Film &film) {
+      return film.drainage(
+        [&](const Point<3> &x) { return fed(x) ? ventricular : low; });
+    };
+    Film film;
+    film.set_gap(gap, 0.);
+    const double first = flow(film);
+    check_relative("all drain at first",
+                   first,
+                   film.drainage(0.51 * ventricular),
+                   1e-9);
+    for (unsigned int i = 0; i < 60; ++i)
+      {
+        film.set_gap(gap, duration);
+        flow(film);
+      }
+    check_relative("then only those that are not fed",
+                   flow(film),
+                   first * low / (ventricular + low),
+                   1e-9);
+  }
 } // namespace
 
 
@@ -288,4 +339,5 @@ main(int argc, char **argv)
   wide_gaps();
   draining();
   fed_films();
+  fed_cells();
 }

@@ -28,10 +28,10 @@ namespace coapt
    *   reverses. phi rises from 0 to 1 with the fraction of the cell that lies
    *   there, from 0.25 to 0.75, and with the distance from the free edge up to
    *   half a cell, so that the sink does not draw from the ventricle;
-   * - a film that stays at a good part of the ventricular pressure p_v although
-   *   it drains is fed by the ventricle and does not hold trapped fluid: there,
-   *   draining ends while the mean of p/p_v over the last six volumes of film
-   *   that drained or would have done so rises from 0.15 to 0.35.
+   * - cells near the ventricular pressure p_v, in which films have drained
+   *   whole volumes already, are fed by the ventricle and hold no trapped
+   * fluid: once one and a half to three volumes have drained, or would have
+   * done so, phi falls to zero while p/p_v rises from 0.2 to 0.5.
    *
    * Where surfaces are further apart than the largest width, nothing is
    * changed at all.
@@ -52,9 +52,9 @@ namespace coapt
     /**
      * Finds the films at the nodal positions @p X (m) from gaps and normals of
      * the columns, books what has drained since the last update in the
-     * @p duration (s) at the @p ventricular_pressure (Pa), and releases
-     * coupling points. Due every few steps, and when the cells of the fluid are
-     * new. Collective.
+     * @p duration (s), and releases coupling points. From now on there is the
+     * @p ventricular_pressure (Pa). Due every few steps, and when the cells of
+     * the fluid are new. Collective.
      */
     void
     update(const double *X,
@@ -79,14 +79,14 @@ namespace coapt
     /** What the films remember. */
     struct History
     {
-      std::vector<double> fed; // mean of p/p_v in the films of columns
-      double volume = 0;       // that has drained, m^3
+      std::vector<double> turnover; // of the films of columns
+      double volume = 0;            // that has drained, m^3
 
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &fed &volume;
+        archive &turnover &volume;
       }
     };
 
@@ -94,15 +94,15 @@ namespace coapt
     History
     history() const
     {
-      return {fed, volume};
+      return {turnover, volume};
     }
 
     /** Goes on from an earlier run's @p history; update() is due then. */
     void
     restore(const History &history)
     {
-      fed    = history.fed;
-      volume = history.volume;
+      turnover = history.turnover;
+      volume   = history.volume;
     }
 
   private:
@@ -111,7 +111,7 @@ namespace coapt
     {
       double weight   = 0;    // of the treatment, 0 to 1
       double drainage = 0;    // the same, for drainage
-      double fed      = 0;    // mean of p/p_v
+      double turnover = 0;    // volumes that have drained
       double gap      = 0;    // m
       bool atrial     = true; // which side faces the film
       dealii::Tensor<1, 3> normal;
@@ -123,12 +123,14 @@ namespace coapt
       unsigned int number;
       double volume;       // of the cell, m^3
       double in_film  = 0; // fraction of the cell in films
-      double fed      = 0; // this times the mean of p/p_v of the columns
-      double draining = 0; // fraction that drains, at most 1
+      double turnover = 0; // this times that of the columns
+      double draining = 0; // fraction that drains while there is trapped fluid
+      double trapped  = 0; // part that may still be trapped
 
-      /** Sum of pressures (Pa) over evaluations, later their integral over time
-       * (Pa s). */
-      double integral = 0;
+      /** Sums over the evaluations of the pressure, and of its part that lets
+       * fluid drain (Pa). */
+      double pressures = 0;
+      double drained   = 0;
     };
 
     /** A coupling point in a draining cell. */
@@ -141,17 +143,10 @@ namespace coapt
     void
     measure_edge_distances(const Leaflet &leaflet);
 
-    /** Books what has drained since the last update, and how much of the
-     * ventricular pressure there was in the columns' films. */
+    /** Books what has drained since the last update, and how much the columns'
+     * films would have drained if nothing had been closed. */
     void
-    book(const double duration, const double ventricular_pressure);
-
-    /** Updates how far the ventricle feeds the film of a @p column, from the
-     * integrals over time of both pressures (Pa s). */
-    void
-    feed(const unsigned int column,
-         const double integral,
-         const double ventricular_integral);
+    book(const double duration);
 
     void
     find_stations(const double *X,
@@ -163,6 +158,10 @@ namespace coapt
 
     void
     find_draining_cells(const std::vector<dealii::Point<3>> &positions);
+
+    /** Fraction of a cell that drains at this @p pressure (Pa). */
+    double
+    open_part(const Cell &cell, const double pressure) const;
 
     /** The station of a coupling point, interpolated. */
     Station
@@ -180,7 +179,8 @@ namespace coapt
     std::vector<unsigned int> column_of_node;
     std::vector<double> edge_distance; // of columns from the free edge, m
     std::vector<Station> stations;
-    std::vector<double> fed; // mean of p/p_v in the films of columns
+    std::vector<double> turnover; // volumes that films of columns have drained
+    double comparison = 0; // what pressures of films are compared with, Pa
     std::vector<Cell> cells;
     std::vector<Source> sources;
     unsigned int evaluations = 0;
