@@ -32,7 +32,7 @@ namespace coapt
     double
     part_trapped(const double turnover)
     {
-      return 1 - ramp(turnover, 1.5, 3);
+      return 1 - ramp(turnover, 2, 4);
     }
 
     /** Least ventricular pressure (Pa) that films are compared with: below it,
@@ -319,7 +319,7 @@ namespace coapt
   SubGridFilm::open_part(const Cell &cell, const double pressure) const
   {
     return cell.draining *
-      std::max(cell.trapped, falling_step(pressure / comparison, 0.2, 0.5));
+      std::max(cell.trapped, falling_step(pressure / comparison, 0.35, 0.7));
   }
 
 

@@ -44,6 +44,8 @@ namespace coapt
     content_of(const std::string &folder, const std::string &kind)
     {
       const std::string file = state_in(folder);
+      if (!fs::exists(file))
+        throw InputError(folder + " holds no checkpoint of a " + kind);
       std::ifstream in(file, std::ios::binary);
       std::string line;
       if (!in || !std::getline(in, line))

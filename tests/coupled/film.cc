@@ -274,8 +274,8 @@ namespace
                   last == 0,
                   last / first);
             const double drained = film.film->drained_volume() / volume;
-            check("it has drained one to three volumes",
-                  drained > 1 && drained < 3,
+            check("it has drained two to four volumes",
+                  drained > 2 && drained < 4,
                   drained);
             check_relative("what stays at a low pressure drains all the same",
                            film.drainage(0.1 * p),
