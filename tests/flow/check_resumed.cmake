@@ -3,6 +3,7 @@
 # of the statistics are, to 1e-9, the same as in one go, and that the table is the same
 # to 1e-7 but for the wall time; and that another number of ranks is refused.
 cmake_minimum_required(VERSION 3.19)
+include(${CMAKE_CURRENT_LIST_DIR}/../run_program.cmake)
 
 # run(EXPECTED_CODE RANKS OUTPUT_FOLDER TEXT): with this text added to the file.
 function(run expected ranks folder text)
@@ -16,12 +17,7 @@ subsection Flow
   set Figures from = 0
 end
 ")
-  execute_process(COMMAND ${MPIEXEC} -n ${ranks} ${PROGRAM} case.prm
-    WORKING_DIRECTORY ${FOLDER}
-    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT code EQUAL expected)
-    message(FATAL_ERROR "Exit code ${code} instead of ${expected}:\n${output}")
-  endif()
+  run_program(${expected} ${ranks} ${FOLDER} case.prm)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 

@@ -2,22 +2,14 @@
 # that the results are there, that energy is balanced, with the work of the motion
 # in it, and that the statistics are the same on both.
 cmake_minimum_required(VERSION 3.19)
-
-function(require condition_text)
-  if(NOT (${ARGN}))
-    message(FATAL_ERROR "${condition_text}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run_program.cmake)
 
 foreach(ranks 1 2)
   set(folder ${FOLDER}/${ranks})
   file(REMOVE_RECURSE ${folder})
   file(GLOB files ${SOURCE}/*.csv ${SOURCE}/tube.*)
   file(COPY ${files} DESTINATION ${folder})
-  execute_process(COMMAND ${MPIEXEC} -n ${ranks} ${PROGRAM} tube.prm
-    WORKING_DIRECTORY ${folder}
-    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  require("Exit code ${code} on ${ranks} ranks:\n${output}" code EQUAL 0)
+  run_program(0 ${ranks} ${folder} tube.prm)
   foreach(name statistics.csv fields/leaflet_00001.vtu fields/chordae_00001.vtu)
     require("${name} is missing" EXISTS ${folder}/results/${name})
   endforeach()

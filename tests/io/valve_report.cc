@@ -103,14 +103,14 @@ namespace
     return sample;
   }
 
-  /** Takes samples each 5 ms of a run in which the tube is pressed until 90
-   * ms, for half of the last 20 ms. */
+  /** Takes samples each 10 ms from 50 ms on of a run in which the tube is
+   * pressed until 90 ms, for half of the last 20 ms. */
   void
   observe(ObservedValve &tube, ValveReport &report, const double leak)
   {
-    for (unsigned int i = 0; i <= 20; ++i)
+    for (unsigned int i = 5; i <= 10; ++i)
       {
-        const double t = 5e-3 * i;
+        const double t = 10e-3 * i;
         tube.sample(t, shape(tube, t < 91e-3));
         report.add(made_up(t, leak), tube.monitor);
       }

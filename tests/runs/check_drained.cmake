@@ -4,6 +4,7 @@
 # the load and the valve is shut and tight before 70 ms, that it opens cleanly, and
 # that short leaflets leak.
 cmake_minimum_required(VERSION 3.19)
+include(${CMAKE_CURRENT_LIST_DIR}/../run_program.cmake)
 
 file(REMOVE_RECURSE ${FOLDER})
 file(COPY ${SOURCE}/drained_pressure.csv DESTINATION ${FOLDER})
@@ -24,11 +25,7 @@ subsection Mesh
   set Sparser points apart = true
 end
 ${text}")
-  execute_process(COMMAND ${MPIEXEC} -n 2 ${PROGRAM} ${name}.prm WORKING_DIRECTORY ${FOLDER}
-    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT code EQUAL 0)
-    message(FATAL_ERROR "Exit code ${code}:\n${output}")
-  endif()
+  run_program(0 2 ${FOLDER} ${name}.prm)
 endfunction()
 
 # check(NAME WHAT): the statistics of a run.

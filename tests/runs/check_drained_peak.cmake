@@ -4,6 +4,7 @@
 # force of coaptation (measured 90.75 %), that less than 1 mL/s leaks, with what
 # drains, and that re-adapting takes at most 0.1 % of the work of the ends (0.055 %).
 cmake_minimum_required(VERSION 3.19)
+include(${CMAKE_CURRENT_LIST_DIR}/../run_program.cmake)
 
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})
@@ -20,11 +21,7 @@ subsection Mesh
   set Coarse cell = 5.555555556
 end
 ")
-execute_process(COMMAND ${MPIEXEC} -n 2 ${PROGRAM} peak.prm WORKING_DIRECTORY ${FOLDER}
-  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(NOT code EQUAL 0)
-  message(FATAL_ERROR "Exit code ${code}:\n${output}")
-endif()
+run_program(0 2 ${FOLDER} peak.prm)
 
 file(READ ${FOLDER}/results/summary.json summary)
 foreach(key sealed coaptation_belt_continuous contact_fraction leak_mL_per_s

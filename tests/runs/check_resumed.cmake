@@ -4,12 +4,7 @@
 # the collections name as many files; and that a checkpoint that is missing, damaged or
 # of other meshes is refused.
 cmake_minimum_required(VERSION 3.19)
-
-function(require condition_text)
-  if(NOT (${ARGN}))
-    message(FATAL_ERROR "${condition_text}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run_program.cmake)
 
 # run(EXPECTED_CODE RANKS CHANGE...): with these lines added to the file.
 function(run expected ranks)
@@ -18,10 +13,7 @@ function(run expected ranks)
     string(APPEND text "${change}\n")
   endforeach()
   file(WRITE ${FOLDER}/resumed.prm "${text}")
-  execute_process(COMMAND ${MPIEXEC} -n ${ranks} ${PROGRAM} resumed.prm
-    WORKING_DIRECTORY ${FOLDER}
-    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  require("Exit code ${code} instead of ${expected}:\n${output}" code EQUAL ${expected})
+  run_program(${expected} ${ranks} ${FOLDER} resumed.prm)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 

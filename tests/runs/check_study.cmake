@@ -2,15 +2,11 @@
 # Asserts that there is a row of study.csv, an object of summary.json and a folder
 # with complete results for each run, and that the runs differ as they should.
 cmake_minimum_required(VERSION 3.19)
+include(${CMAKE_CURRENT_LIST_DIR}/../run_program.cmake)
 
 file(REMOVE_RECURSE ${FOLDER})
 file(COPY ${SOURCE}/tiny_study.prm DESTINATION ${FOLDER})
-execute_process(COMMAND ${MPIEXEC} -n ${RANKS} ${PROGRAM} tiny_study.prm
-  WORKING_DIRECTORY ${FOLDER}
-  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(NOT code EQUAL 0)
-  message(FATAL_ERROR "Exit code ${code}:\n${output}")
-endif()
+run_program(0 ${RANKS} ${FOLDER} tiny_study.prm)
 if(NOT output MATCHES "run 2 of 2: Valve/Elements around 32, Mesh/Coarse cell 5, Contact/Clearance 1.25\n")
   message(FATAL_ERROR "The second run does not say what it is:\n${output}")
 endif()
@@ -56,12 +52,7 @@ file(SHA1 ${FOLDER}/results/run_1/summary.json first_summary)
 function(resume expected)
   file(READ ${SOURCE}/tiny_study.prm text)
   file(WRITE ${FOLDER}/resumed.prm "${text}subsection Output\nset Resume = true\nend\n${ARGN}\n")
-  execute_process(COMMAND ${MPIEXEC} -n ${RANKS} ${PROGRAM} resumed.prm
-    WORKING_DIRECTORY ${FOLDER}
-    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT code EQUAL expected)
-    message(FATAL_ERROR "Exit code ${code} instead of ${expected}:\n${output}")
-  endif()
+  run_program(${expected} ${RANKS} ${FOLDER} resumed.prm)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 

@@ -4,22 +4,14 @@
 # balanced, that every column of the statistics is the same on both to 1e-9, and that
 # added mass makes steps longer.
 cmake_minimum_required(VERSION 3.19)
-
-function(require condition_text)
-  if(NOT (${ARGN}))
-    message(FATAL_ERROR "${condition_text}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run_program.cmake)
 
 foreach(ranks 1 2)
   set(folder ${FOLDER}/${ranks})
   file(REMOVE_RECURSE ${folder})
   file(COPY ${SOURCE}/tiny_dry.prm ${SOURCE}/pressure.csv DESTINATION ${folder})
   file(APPEND ${folder}/tiny_dry.prm "subsection Valve\n  set Element = ${ELEMENT}\nend\n")
-  execute_process(COMMAND ${MPIEXEC} -n ${ranks} ${PROGRAM} tiny_dry.prm
-    WORKING_DIRECTORY ${folder}
-    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  require("Exit code ${code} on ${ranks} ranks:\n${output}" code EQUAL 0)
+  run_program(0 ${ranks} ${folder} tiny_dry.prm)
   require("No table of timings:\n${output}" output MATCHES "Solid +[0-9]+ ")
   foreach(name statistics.csv fields/leaflet.pvd fields/leaflet_00002.vtu
       fields/chordae_00002.vtu)

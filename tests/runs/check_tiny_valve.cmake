@@ -3,21 +3,13 @@
 # energy is balanced within 1 %, and that every column of the statistics is the same on
 # both to 1e-9.
 cmake_minimum_required(VERSION 3.19)
-
-function(require condition_text)
-  if(NOT (${ARGN}))
-    message(FATAL_ERROR "${condition_text}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run_program.cmake)
 
 function(run ranks)
   set(folder ${FOLDER}/${ranks})
   file(REMOVE_RECURSE ${folder})
   file(COPY ${SOURCE}/tiny_valve.prm ${SOURCE}/pressure.csv DESTINATION ${folder})
-  execute_process(COMMAND ${MPIEXEC} -n ${ranks} ${PROGRAM} tiny_valve.prm
-    WORKING_DIRECTORY ${folder}
-    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  require("Exit code ${code} on ${ranks} ranks:\n${output}" code EQUAL 0)
+  run_program(0 ${ranks} ${folder} tiny_valve.prm)
   require("Not on ${ranks} ranks:\n${output}" output MATCHES "\n${ranks} ranks? on ")
   require("No balance of energy:\n${output}"
     output MATCHES "work of ends +[-0-9.e]+" AND output MATCHES "closure error over the work +[-0-9.e]+ %")

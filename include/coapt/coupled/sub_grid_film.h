@@ -29,9 +29,9 @@ namespace coapt
    *   there, from 0.25 to 0.75, and with the distance from the free edge up to
    *   half a cell, so that the sink does not draw from the ventricle;
    * - cells near the ventricular pressure p_v, in which films have drained
-   *   whole volumes already, are fed by the ventricle and hold no trapped fluid:
-   *   once two to four volumes have drained, or would have done so, phi falls
-   *   to zero while p/p_v rises from 0.35 to 0.7.
+   *   whole volumes already, are fed by the ventricle and hold no trapped
+   *   fluid: once two to four volumes have drained, or would have done so, phi
+   *   falls to zero while p/p_v rises from 0.35 to 0.7.
    *
    * Where surfaces are further apart than the largest width, nothing is
    * changed at all.
